@@ -1,0 +1,55 @@
+val spinalVersion = "1.14.2"
+
+ThisBuild / organization := "io.github.frustum3d"
+ThisBuild / version := "0.1.0"
+ThisBuild / scalaVersion := "2.13.18"
+ThisBuild / licenses := Seq("Apache-2.0" -> url("https://www.apache.org/licenses/LICENSE-2.0"))
+ThisBuild / scalacOptions ++= Seq("-deprecation", "-feature", "-unchecked", "-Xlint:infer-any")
+ThisBuild / fork := true
+ThisBuild / connectInput := false
+ThisBuild / outputStrategy := Some(StdoutOutput)
+
+val spinalCore = "com.github.spinalhdl" %% "spinalhdl-core" % spinalVersion
+val spinalLib = "com.github.spinalhdl" %% "spinalhdl-lib" % spinalVersion
+val idslPlugin = compilerPlugin("com.github.spinalhdl" %% "spinalhdl-idsl-plugin" % spinalVersion)
+
+/** The idsl plugin names signals; without it the generated Verilog is unreadable, so its absence is an error. */
+val spinal = Seq(
+  libraryDependencies ++= Seq(spinalCore, spinalLib, idslPlugin),
+  scalacOptions += "-Xplugin-require:idsl-plugin"
+)
+
+lazy val hw = (project in file("hw")).settings(spinal).settings(name := "frustum")
+
+lazy val boards = (project in file("boards")).dependsOn(hw).settings(spinal).settings(name := "frustum-boards")
+
+lazy val sim = (project in file("sim"))
+  .dependsOn(boards)
+  .settings(spinal)
+  .settings(
+    name := "frustum-sim",
+    libraryDependencies ++= Seq(
+      "com.github.spinalhdl" %% "spinalhdl-sim" % spinalVersion,
+      "de.javagl" % "obj" % "0.4.0",
+      "org.joml" % "joml" % "1.10.8",
+      "com.lihaoyi" %% "ujson" % "4.1.0",
+      "com.github.scopt" %% "scopt" % "4.1.0",
+      "me.tongfei" % "progressbar" % "0.10.1",
+      "org.scalatest" %% "scalatest" % "3.2.20" % Test
+    ),
+    Compile / run / baseDirectory := (ThisBuild / baseDirectory).value,
+    Test / baseDirectory := (ThisBuild / baseDirectory).value,
+    Test / javaOptions ++= Seq("-Xmx4g"),
+    run / javaOptions ++= Seq("-Xmx4g"),
+    Test / parallelExecution := false
+  )
+
+lazy val frustum = (project in file(".")).aggregate(hw, boards, sim).settings(publish / skip := true)
+
+/** Every command of the workbench is an input task of the same name: `./sbt "render --scene teapot"`. */
+val commandNames = Seq("demo", "render", "verilog", "bitstream", "bench")
+Global / commands ++= commandNames.map { name =>
+  Command.args(name, "<args>") { (state, args) =>
+    s"sim/runMain frustum.command.Main $name ${args.mkString(" ")}" :: state
+  }
+}

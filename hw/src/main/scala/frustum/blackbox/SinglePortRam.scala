@@ -1,0 +1,69 @@
+package frustum.blackbox
+
+import spinal.core._
+
+/** Single-ported memory, one access a clock, read data one clock after `enable && !write`, held until the next read.
+  * On the iCE40UP5K it is built of SPRAM blocks of 16 K x 16, elsewhere inferred.
+  *
+  * @param width a multiple of 16
+  */
+case class SinglePortRam(words: Int, width: Int, tech: Tech) extends Component {
+  require(width % 16 == 0, s"SinglePortRam: width $width is not a multiple of 16")
+  val addressBits = log2Up(words)
+  val io = new Bundle {
+    val enable    = in Bool ()
+    val write     = in Bool ()
+    val address   = in UInt (addressBits bits)
+    val writeData = in Bits (width bits)
+    val mask      = in Bits (width / 16 bits)
+    val readData  = out Bits (width bits)
+  }
+
+  tech match {
+    case Tech.Ice40 =>
+      val blocks = (words + SpramBlock.Words - 1) / SpramBlock.Words
+      val select = if (blocks > 1) io.address(addressBits - 1 downto 14) else U(0, 1 bits)
+      val selected = RegNextWhen(select, io.enable && !io.write)
+      val lanes = for (lane <- 0 until width / 16) yield {
+        val outputs = for (block <- 0 until blocks) yield {
+          val ram = SpramBlock()
+          ram.io.CLOCK      := ClockDomain.current.readClockWire
+          ram.io.ADDRESS    := io.address.resize(14).asBits
+          ram.io.DATAIN     := io.writeData(lane * 16, 16 bits)
+          ram.io.MASKWREN   := B(0xf, 4 bits)
+          ram.io.WREN       := io.write && io.mask(lane)
+          ram.io.CHIPSELECT := io.enable && select === block
+          ram.io.STANDBY    := False
+          ram.io.SLEEP      := False
+          ram.io.POWEROFF   := True
+          ram.io.DATAOUT
+        }
+        if (blocks == 1) outputs.head else Vec(outputs)(selected.resized)
+      }
+      io.readData := Cat(lanes)
+    case Tech.Generic =>
+      val ram = Mem(Bits(width bits), words)
+      io.readData := ram.readWriteSync(
+        io.address, io.writeData, io.enable, io.write, mask = io.mask, readUnderWrite = dontCare
+      )
+  }
+}
+
+/** SB_SPRAM256KA of the iCE40 UltraPlus (Lattice TN1314): POWEROFF is active low, MASKWREN is per nibble. */
+case class SpramBlock() extends BlackBox {
+  setDefinitionName("SB_SPRAM256KA")
+  val io = new Bundle {
+    val CLOCK      = in Bool ()
+    val ADDRESS    = in Bits (14 bits)
+    val DATAIN     = in Bits (16 bits)
+    val MASKWREN   = in Bits (4 bits)
+    val WREN       = in Bool ()
+    val CHIPSELECT = in Bool ()
+    val STANDBY    = in Bool ()
+    val SLEEP      = in Bool ()
+    val POWEROFF   = in Bool ()
+    val DATAOUT    = out Bits (16 bits)
+  }
+  noIoPrefix()
+}
+object SpramBlock { val Words = 16384 }

@@ -1,0 +1,8 @@
+package frustum.blackbox
+
+/** What primitives a unit may instantiate. `Generic` infers everything and is what simulations run. */
+sealed trait Tech
+object Tech {
+  case object Generic extends Tech
+  case object Ice40   extends Tech
+}

@@ -1,0 +1,29 @@
+package frustum.spec
+
+/** Sizes of a raster pipeline. All of them are elaboration parameters; the command set does not depend on them.
+  *
+  * @param width,height screen, pixels; the frame is drawn tile by tile, so any size costs the same memory
+  * @param tileLog2Width,tileLog2Height tile, 2^n pixels a side
+  */
+final case class RasterConfig(
+    width: Int = 240,
+    height: Int = 320,
+    tileLog2Width: Int = 5,
+    tileLog2Height: Int = 4,
+    maxVertices: Int = 1024,
+    maxTriangles: Int = 1024,
+    textureTexels: Int = 32768
+) {
+  require(tileLog2Width >= 3 && tileLog2Width <= 5, s"tile width 2^$tileLog2Width is outside 8..32")
+  require(tileLog2Height >= 3 && tileLog2Height <= 5, s"tile height 2^$tileLog2Height is outside 8..32")
+  val tileWidth: Int  = 1 << tileLog2Width
+  val tileHeight: Int = 1 << tileLog2Height
+  val tilesX: Int     = (width + tileWidth - 1) / tileWidth
+  val tilesY: Int     = (height + tileHeight - 1) / tileHeight
+  require(width >= 8 && height >= 8, s"screen $width x $height is smaller than 8 x 8")
+  require(tilesX <= 32, s"screen width $width needs $tilesX tiles of $tileWidth; at most 32")
+  require(tilesY <= 32, s"screen height $height needs $tilesY tiles of $tileHeight; at most 32")
+  require(maxVertices >= 3 && maxVertices <= 1024, s"$maxVertices vertices: 3..1024, an index has 10 bits")
+  require(maxTriangles >= 1 && maxTriangles <= 1024, s"$maxTriangles triangles: 1..1024")
+  require(textureTexels >= 64 && textureTexels <= 32768, s"$textureTexels texels: 64..32768")
+}
