@@ -1,0 +1,3 @@
+package frustum
+
+final case class InputError(message: String) extends RuntimeException(message)
