@@ -7,4 +7,19 @@ package frustum.scene
   */
 final case class TextureImage(width: Int, height: Int, argb: IndexedSeq[Int], hasAlpha: Boolean) {
   require(argb.length == width * height, s"${argb.length} texels for a texture of $width x $height")
+
+  /** Kept, because pictures serve as keys. */
+  override lazy val hashCode: Int = scala.util.hashing.MurmurHash3.productHash(this)
+}
+
+object TextureImage {
+
+  /** Sides the hardware takes, in texels. */
+  val Sides: Seq[Int] = Seq(8, 16, 32, 64, 128)
+
+  /** What is wrong with a size and what to do about it, or None. */
+  def fault(width: Int, height: Int): Option[String] =
+    Option.unless(Sides.contains(width) && Sides.contains(height))(
+      s"is $width x $height texels; each side must be ${Sides.mkString(", ")} (not necessarily square): scale the picture"
+    )
 }
