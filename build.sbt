@@ -4,7 +4,7 @@ ThisBuild / organization := "io.github.frustum3d"
 ThisBuild / version := "0.1.0"
 ThisBuild / scalaVersion := "2.13.18"
 ThisBuild / licenses := Seq("Apache-2.0" -> url("https://www.apache.org/licenses/LICENSE-2.0"))
-ThisBuild / scalacOptions ++= Seq("-deprecation", "-feature", "-unchecked", "-Xlint:infer-any")
+ThisBuild / scalacOptions ++= Seq("-deprecation", "-feature", "-unchecked", "-Xlint:infer-any", "-language:reflectiveCalls")
 ThisBuild / fork := true
 ThisBuild / connectInput := false
 ThisBuild / outputStrategy := Some(StdoutOutput)
@@ -12,6 +12,8 @@ ThisBuild / outputStrategy := Some(StdoutOutput)
 val spinalCore = "com.github.spinalhdl" %% "spinalhdl-core" % spinalVersion
 val spinalLib = "com.github.spinalhdl" %% "spinalhdl-lib" % spinalVersion
 val idslPlugin = compilerPlugin("com.github.spinalhdl" %% "spinalhdl-idsl-plugin" % spinalVersion)
+
+val ujson = "com.lihaoyi" %% "ujson" % "4.1.0"
 
 /** The idsl plugin names signals; without it the generated Verilog is unreadable, so its absence is an error. */
 val spinal = Seq(
@@ -21,18 +23,23 @@ val spinal = Seq(
 
 lazy val hw = (project in file("hw")).settings(spinal).settings(name := "frustum")
 
-lazy val boards = (project in file("boards")).dependsOn(hw).settings(spinal).settings(name := "frustum-boards")
+lazy val boards = (project in file("boards"))
+  .dependsOn(hw)
+  .settings(spinal)
+  .settings(name := "frustum-boards", libraryDependencies += ujson)
 
 lazy val sim = (project in file("sim"))
+  .enablePlugins(BuildInfoPlugin)
   .dependsOn(boards)
   .settings(spinal)
   .settings(
     name := "frustum-sim",
+    buildInfoKeys := Seq[BuildInfoKey](version),
+    buildInfoPackage := "frustum",
     libraryDependencies ++= Seq(
       "com.github.spinalhdl" %% "spinalhdl-sim" % spinalVersion,
       "de.javagl" % "obj" % "0.4.0",
       "org.joml" % "joml" % "1.10.8",
-      "com.lihaoyi" %% "ujson" % "4.1.0",
       "com.github.scopt" %% "scopt" % "4.1.0",
       "me.tongfei" % "progressbar" % "0.10.1",
       "org.scalatest" %% "scalatest" % "3.2.20" % Test

@@ -9,6 +9,11 @@ object Domain {
   /** Largest ratio of w within one triangle for which the bounds of `docs/numbers.md` hold. */
   val MaxWRatio = 256
 
-  /** Texture coordinates within one triangle, repeats either side of zero. */
+  /** Repeats of a texture across one triangle. */
   val MaxRepeats = 256
+
+  /** Twice the area, in 1/256 pixel^2, below which barycentric coordinates are taken as if it were this much:
+    * colours and texels of such a triangle stay between its vertices' but drift towards vertex 0.
+    */
+  val MinArea = 16
 }

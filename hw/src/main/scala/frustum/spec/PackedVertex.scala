@@ -42,8 +42,8 @@ object PackedVertex {
   /** 1/16 pixel units: vertices lie strictly within +-1024 pixels of the screen's top left corner. */
   val MaxXy = 16383
 
-  /** Texture coordinates lie strictly within +-256 repeats. */
-  val MaxSt = (256 << 16) - 1
+  /** Texture coordinates lie strictly within +-128 repeats, so that a triangle spans up to 256. */
+  val MaxSt = (128 << 16) - 1
 
   def decode(w: Seq[Int]): PackedVertex = {
     require(w.length == WireWords, s"a vertex has $WireWords words, not ${w.length}")

@@ -1,0 +1,47 @@
+package frustum.boards
+
+import spinal.core._
+
+/** A device the flow can build for. */
+sealed abstract class Part(val name: String, val packageName: String)
+object Part {
+
+  /** Lattice iCE40UP5K-SG48: 5,280 logic cells, 30 EBR of 4 kbit, 4 SPRAM of 256 kbit, 8 SB_MAC16. */
+  case object Ice40Up5k extends Part("iCE40UP5K", "sg48")
+}
+
+/** A clock of a top: `net` is its name in the netlist, `mhz` what it has to reach. */
+final case class BoardClock(net: String, mhz: BigDecimal, source: String)
+
+/** A design for a board: what to elaborate, for which part, with which pins and clocks.
+  *
+  * @param constraints pin file, relative to the root of the project
+  * @param core        the clock the figures are quoted for
+  * @param otherClocks every other clock of the design: what the flow does not find here has no constraint, an error
+  */
+final case class BoardTop(
+    name: String,
+    part: Part,
+    constraints: String,
+    core: BoardClock,
+    otherClocks: Seq[BoardClock],
+    component: () => Component
+) {
+  def targetMHz: BigDecimal    = core.mhz
+  def clocks: Seq[BoardClock]  = core +: otherClocks
+
+  /** Verilog in one file `<name>.v`, memory contents inline, so that the file is all a tool needs. */
+  def spinalConfig(directory: String): SpinalConfig = SpinalConfig(
+    targetDirectory = directory,
+    netlistFileName = s"$name.v",
+    defaultClockDomainFrequency = FixedFrequency(core.mhz.toDouble MHz),
+    headerWithDate = false,
+    inlineRom = true,
+    removePruned = true,
+    verbose = false
+  )
+
+  /** Elaborates into `<directory>/<name>.v`; gives the name of the Verilog module. */
+  def writeVerilog(directory: String): String =
+    spinalConfig(directory).generateVerilog(component()).toplevel.definitionName
+}

@@ -1,0 +1,8 @@
+package frustum.boards
+
+/** The table of everything that can be built for a board. */
+object Tops {
+  val all: Seq[BoardTop] = Seq()
+
+  def find(name: String): Option[BoardTop] = all.find(_.name == name)
+}

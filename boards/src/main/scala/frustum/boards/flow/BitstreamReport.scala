@@ -1,0 +1,63 @@
+package frustum.boards.flow
+
+import frustum.boards.BoardTop
+
+/** What placing a top with several seeds came to. Figures are the worst of the seeds.
+  *
+  * @param icetimeMHz one figure a seed; empty when there is no icetime
+  */
+final case class BitstreamReport(
+    top: BoardTop,
+    tools: Ice40Tools,
+    placements: Seq[Placement],
+    icetimeMHz: Seq[Double]
+) {
+  def fits: Boolean = placements.forall(_.fits)
+
+  /** The core clock's MHz, seed by seed. */
+  val coreMHz: Seq[Double] = placements.filter(_.fits).map { p =>
+    // nextpnr appends to a net's name on its way to a global buffer.
+    val byNet   = p.clocks.map { case (net, (mhz, _)) => net.split('$').head -> mhz }
+    val unknown = byNet.keySet -- top.clocks.map(_.net)
+    if (unknown.nonEmpty) throw FlowFault(s"no frequency is required of the clocks ${unknown.mkString(", ")}: name them in the table")
+    byNet.getOrElse(top.core.net, throw FlowFault(s"nextpnr found no clock ${top.core.net}, only ${byNet.keys.mkString(", ")}"))
+  }
+
+  /** Clocks that fall short in some seed, with what they reach. */
+  def shortfalls: Seq[String] = for {
+    p <- placements
+    (net, (achieved, required)) <- p.clocks.toSeq.sorted
+    if achieved < required
+  } yield f"seed ${p.seed}: $net $achieved%.2f of $required%.2f MHz"
+
+  def meetsTarget: Boolean =
+    fits && shortfalls.isEmpty && coreMHz.min >= top.targetMHz.toDouble && icetimeMHz.forall(_ >= top.targetMHz.toDouble)
+
+  /** The seed whose bitstream is kept: the one with most in hand. */
+  def bestSeed: Int =
+    if (icetimeMHz.isEmpty) placements.zip(coreMHz).maxBy(_._2)._1.seed
+    else placements.zip(coreMHz.zip(icetimeMHz).map { case (a, b) => a min b }).maxBy(_._2)._1.seed
+
+  private def worst(kind: String): Int = placements.flatMap(_.used.get(kind)).maxOption.getOrElse(0)
+
+  def json(version: String): ujson.Obj = {
+    val figures = ujson.Obj(
+      "command" -> "bitstream",
+      "version" -> version,
+      "seed" -> placements.head.seed,
+      "engine" -> s"yosys ${tools.yosys.version}, nextpnr-ice40 ${tools.nextpnr.version}",
+      "top" -> top.name,
+      "part" -> top.part.name,
+      "fits" -> fits,
+      "logicCells" -> worst("ICESTORM_LC"),
+      "ebr" -> worst("ICESTORM_RAM"),
+      "spram" -> worst("ICESTORM_SPRAM"),
+      "dsp" -> worst("ICESTORM_DSP")
+    )
+    if (fits) figures("clockMHz") = ujson.Obj("min" -> coreMHz.min, "max" -> coreMHz.max, "seeds" -> ujson.Arr.from(coreMHz))
+    if (fits && icetimeMHz.nonEmpty) figures("icetimeMHz") = icetimeMHz.min
+    figures("targetMHz") = top.targetMHz.toDouble
+    figures("meetsTarget") = meetsTarget
+    figures
+  }
+}

@@ -1,0 +1,24 @@
+package frustum.boards.flow
+
+import frustum.boards.{BoardTop, Part}
+import java.nio.file.{Files, Path}
+
+/** A second opinion on timing: icestorm's analyser, which shares no delay model with nextpnr. */
+object Icetime {
+
+  /** MHz of the longest path of `<name>.<seed>.asc` over all clocks and pins, or None where no icetime here can tell:
+    * several are tried, as one without its chip database is of no use.
+    */
+  def analyse(tools: Seq[Tool], directory: Path, top: BoardTop, seed: Int): Option[Double] = {
+    val device = top.part match { case Part.Ice40Up5k => "up5k" }
+    val arguments = Seq("-d", device, "-P", top.part.packageName, "-c", s"${top.targetMHz}", s"${top.name}.$seed.asc")
+    tools.iterator.map { tool =>
+      val log = s"${top.name}.$seed.icetime.log"
+      tool.run(directory, log, arguments)
+      estimate(Files.readString(directory.resolve(log)))
+    }.collectFirst { case Some(mhz) => mhz }
+  }
+
+  def estimate(log: String): Option[Double] =
+    """(?:Total path delay|Timing estimate): [\d.]+ ns \(([\d.]+) MHz\)""".r.findFirstMatchIn(log).map(_.group(1).toDouble)
+}

@@ -1,0 +1,62 @@
+package frustum.boards.flow
+
+import frustum.boards.{BoardTop, Part}
+import java.nio.file.{Files, Path, Paths}
+
+/** One placement.
+  *
+  * @param used   cells of each kind, by nextpnr's names
+  * @param clocks MHz reached, and required, by each clock net; empty when the design did not fit
+  */
+final case class Placement(
+    seed: Int,
+    fits: Boolean,
+    used: Map[String, Int],
+    available: Map[String, Int],
+    clocks: Map[String, (Double, Double)]
+)
+
+/** Place and route for the iCE40: `<name>.netlist.json` to `<name>.<seed>.asc`. */
+object Nextpnr {
+
+  /** Writes the pins and, from the table of tops, a frequency for every clock. */
+  def writeConstraints(directory: Path, top: BoardTop): Unit = {
+    val pins   = Files.readString(Paths.get(top.constraints))
+    val clocks = top.clocks.map(c => s"set_frequency ${c.net} ${c.mhz} # ${c.source}\n").mkString
+    Files.writeString(directory.resolve(s"${top.name}.pcf"), s"$pins\n$clocks")
+  }
+
+  def place(tool: Tool, directory: Path, top: BoardTop, seed: Int): Placement = {
+    val run    = s"${top.name}.$seed"
+    val report = directory.resolve(s"$run.report.json")
+    Files.deleteIfExists(report)
+    val device = top.part match { case Part.Ice40Up5k => "--up5k" }
+    val code = tool.run(
+      directory,
+      s"$run.nextpnr.log",
+      Seq(device, "--package", top.part.packageName, "--json", s"${top.name}.netlist.json", "--pcf", s"${top.name}.pcf") ++
+        Seq("--asc", s"$run.asc", "--report", s"$run.report.json", "--freq", s"${top.targetMHz}", "--seed", s"$seed") ++
+        Seq("--timing-allow-fail")
+    )
+    val log               = directory.resolve(s"$run.nextpnr.log")
+    val (used, available) = utilisation(Files.readString(log))
+    val tooBig            = used.exists { case (kind, n) => n > available(kind) }
+    val unplaced          = Files.readString(log).contains("no Bels remaining of type") ||
+      Files.readString(log).contains("no BELs remaining to implement cell type")
+    if (code != 0 && !tooBig && !unplaced)
+      throw FlowFault(s"nextpnr failed on ${top.name}: ${Tool.faults(log)} ($log)")
+    val clocks = if (code == 0) clockFigures(ujson.read(Files.readString(report))) else Map.empty[String, (Double, Double)]
+    Placement(seed, code == 0, used, available, clocks)
+  }
+
+  /** The table "Device utilisation" of nextpnr's log, which is there even when the design does not fit. */
+  def utilisation(log: String): (Map[String, Int], Map[String, Int]) = {
+    val row  = """Info:\s+([A-Z0-9_]+):\s+(\d+)/\s*(\d+)\s+\d+%""".r
+    val rows = row.findAllMatchIn(log).toSeq.map(m => (m.group(1), m.group(2).toInt, m.group(3).toInt))
+    (rows.map(r => r._1 -> r._2).toMap, rows.map(r => r._1 -> r._3).toMap)
+  }
+
+  /** MHz reached and required of every clock of nextpnr's report. */
+  def clockFigures(report: ujson.Value): Map[String, (Double, Double)] =
+    report("fmax").obj.map { case (net, f) => net -> ((f("achieved").num, f("constraint").num)) }.toMap
+}

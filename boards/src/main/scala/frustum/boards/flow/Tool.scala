@@ -1,0 +1,65 @@
+package frustum.boards.flow
+
+import java.io.File
+import java.lang.ProcessBuilder.Redirect
+import java.nio.file.{Files, Path}
+import scala.jdk.CollectionConverters._
+
+/** A program of the flow: how it is started, and what it calls itself. */
+final case class Tool(name: String, version: String, command: Seq[String], environment: Map[String, String]) {
+
+  /** Runs in `directory`, everything it prints going to `log` there; gives its exit code. */
+  def run(directory: Path, log: String, arguments: Seq[String]): Int = {
+    val builder = new ProcessBuilder((command ++ arguments).asJava)
+      .directory(directory.toFile)
+      .redirectErrorStream(true)
+      .redirectInput(Redirect.from(new File("/dev/null")))
+      .redirectOutput(directory.resolve(log).toFile)
+    environment.foreach { case (key, value) => builder.environment.put(key, value) }
+    val process = builder.start()
+    try process.waitFor()
+    catch { case stop: InterruptedException => process.destroy(); throw stop }
+  }
+}
+
+/** A tool is missing or too old; the message says how to get it. */
+final case class MissingTool(message: String) extends RuntimeException(message)
+
+/** A tool failed, or the design breaks a rule of the flow. */
+final case class FlowFault(message: String) extends RuntimeException(message)
+
+object Tool {
+
+  /** Every executable of this name on PATH, in order. */
+  def onPath(name: String): Seq[String] =
+    sys.env.getOrElse("PATH", "").split(File.pathSeparator).toSeq
+      .filter(_.nonEmpty)
+      .map(new File(_, name))
+      .filter(f => f.isFile && f.canExecute)
+      .map(_.getPath)
+      .distinct
+
+  /** What a program prints, both streams together; empty when it cannot be started. */
+  def output(command: Seq[String], environment: Map[String, String] = Map()): String = {
+    val builder = new ProcessBuilder(command.asJava).redirectErrorStream(true)
+    environment.foreach { case (key, value) => builder.environment.put(key, value) }
+    try {
+      val process = builder.start()
+      process.getOutputStream.close()
+      val text = new String(process.getInputStream.readAllBytes())
+      process.waitFor()
+      text
+    } catch { case _: java.io.IOException => "" }
+  }
+
+  /** The first `major.minor` in what a tool prints of itself: (0, 40) of "Yosys 0.40+25 ...". */
+  def version(text: String): Option[(Int, Int)] =
+    """(\d+)\.(\d+)""".r.findFirstMatchIn(text).map(m => (m.group(1).toInt, m.group(2).toInt))
+
+  /** The lines of a log that say what went wrong, or its last ones. */
+  def faults(log: Path): String = {
+    val lines  = Files.readAllLines(log).asScala.toSeq.filter(_.nonEmpty)
+    val errors = lines.filter(_.startsWith("ERROR"))
+    (if (errors.nonEmpty) errors.take(1) else lines.takeRight(1)).mkString("; ")
+  }
+}

@@ -1,0 +1,39 @@
+package frustum.link
+
+import spinal.core._
+import spinal.lib._
+
+/** Watches the ten words of a vertex pass by and tells whether one is out of range, the same test as
+  * [[frustum.spec.PackedVertex.fault]]. `word` carries pairs of words: `pair` 0 to 4, `second` the later of a pair.
+  * `fault` is right from the clock after the word until `clear`; depth, exponent and colour cannot be out of range.
+  */
+case class VertexCheck() extends Component {
+  val io = new Bundle {
+    val clear  = in Bool ()
+    val word   = slave(Flow(Bits(16 bits)))
+    val pair   = in UInt (3 bits)
+    val second = in Bool ()
+    val fault  = out(RegInit(False))
+  }
+  val word = io.word.payload
+
+  // A field of n bits that may hold -2^(n-1) + 1 to 2^(n-1) - 1: its spare upper bits repeat the sign, and the most
+  // negative value is refused, which for texture coordinates takes both words.
+  val low8     = word(7 downto 0) === 0
+  val zero14   = low8 && word(13 downto 8) === 0
+  val zero     = zero14 && word(15 downto 14) === 0
+  val position = word(15) =/= word(14) || (word(15) && zero14)
+  val signs    = word(10 downto 8)
+  val texture  = !signs.andR && signs.orR
+  val lowest   = RegNextWhen(signs.andR && low8, io.word.valid && !io.second)
+
+  val bad = io.pair.mux(
+    0       -> position,
+    1       -> (io.second && !word(15)), // mantissa not normalised
+    2       -> Mux(io.second, lowest && zero, texture),
+    3       -> Mux(io.second, lowest && zero, texture),
+    default -> False
+  )
+  when(io.clear)(io.fault := False)
+  when(io.word.valid && bad)(io.fault := True)
+}

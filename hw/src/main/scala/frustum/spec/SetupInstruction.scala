@@ -1,0 +1,61 @@
+package frustum.spec
+
+/** One instruction of the set-up engine: a multiply-accumulate of two scratch words, and what becomes of the sum.
+  *
+  * With words of 32 signed bits, `accumulator = start +- floor(a * b / 2^16)`, 48 bits, wrapping. An instruction takes
+  * two clocks; a result can be read by the fifth instruction after it ([[SetupInstruction.ResultLatency]]).
+  *
+  * `b` must stay below 2^31 - 2^15: the engine multiplies by b's upper half rounded and its lower half signed.
+  */
+final case class SetupInstruction(
+    a: Int,
+    b: Int,
+    start: SetupInstruction.Start,
+    subtract: Boolean,
+    result: SetupInstruction.Result
+)
+
+object SetupInstruction {
+  val ResultLatency = 5
+
+  /** What the accumulator holds before the product is added. */
+  sealed abstract class Start(val code: Int)
+  case object Keep extends Start(0)
+  case object Zero extends Start(1)
+  /** Half of the last place of a [[Fraction]] result. */
+  case object Round extends Start(2)
+  /** [[Round]], or [[Zero]] where the triangle is a sliver. */
+  case object RoundGradient extends Start(3)
+
+  /** Where the accumulator goes. Integers are bits 31..0, fractions (of 30 places) bits 45..14, gradients fractions
+    * or, where the triangle is a sliver, integers.
+    */
+  sealed abstract class Result(val code: Int)
+  case object Nowhere extends Result(0)
+  final case class Integer(word: Int)  extends Result(1)
+  final case class Fraction(word: Int) extends Result(2)
+  /** An integer that must fit 30 bits, otherwise the triangle is a sliver. */
+  final case class Checked(word: Int) extends Result(3)
+  final case class GradientX(plane: Int) extends Result(4)
+  final case class GradientY(plane: Int) extends Result(5)
+  /** Fraction: the plane's value at the first pixel. */
+  final case class Initial(plane: Int) extends Result(6)
+  /** Integer: edge function `edge` at the walker's corner; its steps are `b` of the products with `Left` and `Top`. */
+  final case class Edge(edge: Int) extends Result(7)
+
+  /** Bits of an instruction word: result code 3, target 6, start 2, subtract 1, b 6, a 6. */
+  val Bits = 24
+  def encode(i: SetupInstruction): Int = {
+    val target = i.result match {
+      case Nowhere      => 0
+      case Integer(w)   => w
+      case Fraction(w)  => w
+      case Checked(w)   => w
+      case GradientX(p) => p
+      case GradientY(p) => p
+      case Initial(p)   => p
+      case Edge(e)      => e
+    }
+    i.result.code << 21 | target << 15 | i.start.code << 13 | (if (i.subtract) 1 << 12 else 0) | i.b << 6 | i.a
+  }
+}

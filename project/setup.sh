@@ -1,0 +1,83 @@
+# Set-up of the machine for ./sbt: finds what a command needs and, as root on Debian or Ubuntu, installs what is missing.
+# Sourced by ./sbt; the only output on success is a line for each installation, on stderr.
+
+# fail MESSAGE: the one line that tells what is missing.
+fail() {
+  echo "error: $1" >&2
+  exit 2
+}
+
+# install PACKAGE...: by apt-get, or an exit that names the packages.
+install() {
+  command -v apt-get >/dev/null || fail "needs $*: install the package of that name and try again"
+  [ "$(id -u)" = 0 ] || fail "needs $*: run 'apt-get install $*' as root and try again"
+  echo "installing $* (log in .cache/setup.log)" >&2
+  mkdir -p .cache
+  {
+    apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@"
+  } >>.cache/setup.log 2>&1 </dev/null || fail "apt-get cannot install $*: see .cache/setup.log"
+}
+
+# need PROGRAM PACKAGE [PROGRAM PACKAGE]...: installs the packages of the programs that are not on PATH.
+need() {
+  local packages=()
+  while [ $# -gt 0 ]; do
+    command -v "$1" >/dev/null || packages+=("$2")
+    shift 2
+  done
+  [ ${#packages[@]} = 0 ] || install "${packages[@]}"
+}
+
+# want PROBE PACKAGE...: for what a command can do without: installed when it costs the user nothing, else skipped.
+want() {
+  local probe=$1
+  shift
+  if ! eval "$probe" && [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
+    (install "$@") || true
+  fi
+}
+
+# launcher VERSION SHA256: puts sbt's launcher into .cache, by its Maven coordinates, and checks it.
+launcher() {
+  jar=.cache/sbt-launch-$1.jar
+  if ! [ -e "$jar" ]; then
+    need mvn maven
+    mkdir -p .cache
+    echo "fetching sbt $1" >&2
+    mvn -q -B org.apache.maven.plugins:maven-dependency-plugin:3.6.1:copy \
+      "-Dartifact=org.scala-sbt:sbt-launch:$1" -DoutputDirectory=.cache >>.cache/setup.log 2>&1 </dev/null ||
+      fail "Maven cannot fetch org.scala-sbt:sbt-launch:$1: check the network, see .cache/setup.log"
+  fi
+  if ! echo "$2  $jar" | sha256sum --check --quiet >/dev/null 2>&1; then
+    rm -f "$jar"
+    fail "the checksum of org.scala-sbt:sbt-launch:$1 is wrong: it was removed, try again"
+  fi
+}
+
+simulator() {
+  need verilator verilator make make g++ g++
+}
+
+# prepare COMMAND: what one command line of sbt needs beyond Java.
+prepare() {
+  case " $1 " in
+    *" --help "*) ;;
+    " bitstream "*)
+      python3 -c 'import ensurepip, venv' 2>/dev/null || install python3 python3-venv
+      want 'command -v icetime >/dev/null && [ -e /usr/share/fpga-icestorm/chipdb/chipdb-5k.txt ]' \
+        fpga-icestorm fpga-icestorm-chipdb
+      ;;
+    *" --engine model "* | *" --engine reference "*) ;;
+    " demo "* | " render "* | " bench "*) simulator ;;
+    *test* | *Test*)
+      simulator
+      want 'ldconfig -p | grep -q libOSMesa' libosmesa6-dev
+      ;;
+  esac
+}
+
+prepare_all() {
+  need java openjdk-17-jdk-headless
+  local line
+  for line in "$@"; do prepare "$line"; done
+}

@@ -1,0 +1,55 @@
+package frustum.command
+
+import frustum.{BuildInfo, InputError}
+import frustum.boards.BoardTop
+import frustum.boards.flow.{BitstreamReport, Ice40Flow, Ice40Tools, MissingTool}
+import java.nio.file.{Files, Path, Paths, StandardCopyOption}
+
+/** `bitstream TOP`: synthesis, place and route; writes `out/bitstream/TOP.bin` and the figures to `TOP.json` there. */
+object BitstreamCommand extends CommandLine {
+  val name    = "bitstream"
+  val summary = "builds a board's top; writes out/bitstream/TOP.bin and the figures to out/bitstream/TOP.json"
+
+  private val parser = TopArguments.parser(name, summary, seeds = true)
+
+  def run(args: Seq[String]): Int =
+    TopArguments.parse(parser, args).fold(0) { arguments =>
+      val top       = arguments.find
+      val directory = Files.createDirectories(Paths.get("out", "bitstream"))
+      // What an earlier run left would pass for this run's if this one failed.
+      Seq("json", "bin").foreach(kind => Files.deleteIfExists(directory.resolve(s"${top.name}.$kind")))
+      val report = build(top, arguments.seeds, directory)
+      val file   = directory.resolve(s"${top.name}.json")
+      write(file, ujson.write(report.json(BuildInfo.version), indent = 2) + "\n")
+      println(s"wrote $file")
+      verdict(report)
+    }
+
+  private def build(top: BoardTop, seeds: Int, directory: Path): BitstreamReport = {
+    def say(line: String): Unit = println(s"$name ${top.name}: $line")
+    try {
+      val tools = Ice40Tools.find(say)
+      println(s"$name ${top.name}: target ${top.targetMHz} MHz (${top.core.source}), seeds ${(1 to seeds).mkString(", ")}")
+      val report = Ice40Flow.run(top, 1 to seeds, directory, tools, say)
+      if (report.fits && report.icetimeMHz.isEmpty)
+        say("no icetime here, so no icetimeMHz in the report; it is in Debian's fpga-icestorm and fpga-icestorm-chipdb")
+      report
+    } catch { case MissingTool(message) => throw InputError(message) }
+  }
+
+  private def verdict(report: BitstreamReport): Int = {
+    val top = report.top
+    if (!report.fits) println(s"error: ${top.name} does not fit the ${top.part.name}; see out/bitstream/${top.name}.json")
+    else if (!report.meetsTarget) {
+      val slow = report.shortfalls ++ report.icetimeMHz.filter(_ < top.targetMHz.toDouble).map(mhz => s"icetime $mhz MHz")
+      println(s"error: ${top.name} misses its target of ${top.targetMHz} MHz: ${slow.mkString("; ")}")
+    } else println(f"${top.name}: fits, ${report.coreMHz.min}%.2f MHz at the least of ${report.placements.length} seeds")
+    if (report.meetsTarget) 0 else 1
+  }
+
+  private def write(file: Path, text: String): Unit = {
+    val part = file.resolveSibling(s".${file.getFileName}.part")
+    Files.writeString(part, text)
+    Files.move(part, file, StandardCopyOption.REPLACE_EXISTING)
+  }
+}

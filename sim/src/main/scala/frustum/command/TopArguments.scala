@@ -1,0 +1,52 @@
+package frustum.command
+
+import frustum.InputError
+import frustum.boards.{BoardTop, Tops}
+import scopt.{OEffect, OParser}
+
+/** Arguments of the commands that build a top. */
+final case class TopArguments(top: String = "", seeds: Int = 1, help: Boolean = false) {
+  def find: BoardTop = Tops.find(top).getOrElse(
+    throw InputError(s"argument TOP: there is no top '$top'; choose one of ${Tops.all.map(_.name).mkString(", ")}")
+  )
+}
+
+object TopArguments {
+  private val builder = OParser.builder[TopArguments]
+
+  /** @param seeds whether the command places, and so takes `--seeds` */
+  def parser(command: String, summary: String, seeds: Boolean): OParser[_, TopArguments] = {
+    import builder._
+    val common = OParser.sequence(
+      programName(command),
+      head(s"$command: $summary"),
+      arg[String]("TOP").optional().action((name, a) => a.copy(top = name))
+        .text(s"the design: ${Tops.all.map(_.name).mkString(", ")}"),
+      opt[Unit]("help").action((_, a) => a.copy(help = true)).text("prints this")
+    )
+    if (!seeds) common
+    else
+      OParser.sequence(
+        common,
+        opt[Int]("seeds").valueName("N").action((n, a) => a.copy(seeds = n))
+          .validate(n => if (n >= 1 && n <= 100) success else failure(s"argument --seeds: $n is outside 1..100"))
+          .text("placements, with placer seeds 1 to N; the slowest is what is reported (default 1)")
+      )
+  }
+
+  /** The arguments, or None when help was asked for and printed. */
+  def parse(parser: OParser[_, TopArguments], args: Seq[String]): Option[TopArguments] = {
+    val (parsed, effects) = OParser.runParser(parser, args, TopArguments())
+    if (parsed.exists(_.help) || args.contains("--help")) {
+      println(OParser.usage(parser))
+      None
+    } else {
+      effects.collectFirst { case OEffect.ReportError(message) => message }.foreach { message =>
+        throw InputError(s"${message.replaceFirst("^Error: ", "")}; see --help")
+      }
+      if (parsed.exists(_.top.isEmpty))
+        throw InputError(s"argument TOP is missing; choose one of ${Tops.all.map(_.name).mkString(", ")}")
+      parsed
+    }
+  }
+}

@@ -1,0 +1,131 @@
+package frustum.model.raster
+
+import frustum.spec._
+import frustum.spec.SetupInstruction._
+import frustum.spec.SetupWords._
+
+/** Bit-exact triangle set-up: runs [[SetupProgram]] on one triangle's slot, without the hardware's timing. */
+final class TriangleSetup {
+  private val word = new Array[Int](SlotWords)
+  SetupWords.constants.foreach { case (at, value) => word(at) = value }
+
+  private var accumulator = 0L
+  private var sliver      = false
+  private var overflow    = false
+
+  /** Per plane: change from pixel to pixel, and from row to row. */
+  val gradientX = new Array[Int](Planes)
+  val gradientY = new Array[Int](Planes)
+  /** Per plane: value at the pixel given to [[rebase]]. */
+  val initial = new Array[Int](Planes)
+  /** Edge functions at the corners given to [[edges]]. */
+  val edge = new Array[Int](3)
+
+  /** Sets a triangle up; false when it faces away or is degenerate, and draws nothing. */
+  def setup(v0: PackedVertex, v1: PackedVertex, v2: PackedVertex): Boolean = {
+    fetch(v0, v1, v2)
+    run(SetupProgram.area)
+    word(Area) > 0 && {
+      val area  = scala.math.max(word(Area), Domain.MinArea)
+      val shift = Integer.numberOfLeadingZeros(area) - 2
+      word(AreaNormal) = area << shift
+      word(Shift) = 1 << shift
+      word(Shift4) = 1 << (shift + 4)
+      run(SetupProgram.attributes)
+      sliver = false
+      overflow = false
+      run(SetupProgram.steps)
+      if (overflow) {
+        sliver = true
+        word(Shift4) = word(Shift4) >>> 14
+        run(SetupProgram.steps)
+      }
+      run(SetupProgram.gradients)
+      true
+    }
+  }
+
+  /** Pixels whose centres lie inside the bounding box: first and last column, first and last row. */
+  def firstX: Int = word(BoxX) >> 16
+  def lastX: Int  = word(BoxX).toShort
+  def firstY: Int = word(BoxY) >> 16
+  def lastY: Int  = word(BoxY).toShort
+
+  /** Steps of edge k per 1/16 pixel. */
+  def stepX(k: Int): Int = (k match { case 0 => word(A0_16); case 1 => word(DY2_16); case 2 => -word(DY1_16) }) >> 16
+  def stepY(k: Int): Int = (k match { case 0 => word(B0_16); case 1 => -word(DX2_16); case 2 => word(DX1_16) }) >> 16
+
+  /** Edge functions on row `top`, each at the end of the window where its walk starts. */
+  def edges(left: Int, right: Int, top: Int): Unit = {
+    word(Left) = 16 * left - word(X0)
+    word(Right) = 16 * right - word(X0)
+    word(Top) = 16 * top - word(Y0)
+    run(SetupProgram.edges)
+  }
+
+  /** Values of the planes at a pixel. */
+  def rebase(x: Int, y: Int): Unit = {
+    word(PixelX_16) = (16 * x - word(X0)) << 16
+    word(PixelY_16) = (16 * y - word(Y0)) << 16
+    run(SetupProgram.rebase)
+  }
+
+  private def fetch(v0: PackedVertex, v1: PackedVertex, v2: PackedVertex): Unit = {
+    val v = IndexedSeq(v0, v1, v2)
+    word(X0) = v0.x - 8
+    word(Y0) = v0.y - 8
+    word(DX1) = v1.x - v0.x
+    word(DX2) = v2.x - v0.x
+    word(DX1_16) = (v1.x - v0.x) << 16
+    word(DX2_16) = (v2.x - v0.x) << 16
+    word(DY1_16) = (v1.y - v0.y) << 16
+    word(DY2_16) = (v2.y - v0.y) << 16
+    def box(c: Seq[Int]) = ((c.min - 8 + 15) >> 4) << 16 | ((c.max - 8) >> 4) & 0xffff
+    word(BoxX) = box(v.map(_.x))
+    word(BoxY) = box(v.map(_.y))
+    val exponent = v.map(_.qExponent).max
+    for (k <- 0 to 2) {
+      word(s(k)) = v(k).s << 6
+      word(t(k)) = v(k).t << 6
+      word(q(k)) = v(k).qMantissa << 1
+      word(scale(k)) = 1 << scala.math.max(0, 30 - (exponent - v(k).qExponent))
+    }
+    def plane(p: Int, shift: Int)(of: PackedVertex => Int): Unit = {
+      word(value(p)) = of(v0) << shift
+      word(delta1(p)) = (of(v1) - of(v0)) << shift
+      word(delta2(p)) = (of(v2) - of(v0)) << shift
+    }
+    plane(PlaneZ, 15)(_.z)
+    plane(PlaneR, 7)(_.r)
+    plane(PlaneG, 7)(_.g)
+    plane(PlaneB, 7)(_.b)
+    plane(PlaneA, 7)(_.a)
+  }
+
+  private def run(program: Seq[SetupInstruction]): Unit = program.foreach { i =>
+    val b = word(i.b)
+    // the walk of an edge starts at the side from which its function grows
+    val a = if (i.a == Left && ((b < 0) != i.subtract)) word(Right) else word(i.a)
+    val start = i.start match {
+      case Keep          => accumulator
+      case Zero          => 0L
+      case Round         => 1L << 13
+      case RoundGradient => if (sliver) 0L else 1L << 13
+    }
+    val product = (a.toLong * b) >> 16
+    accumulator = ((if (i.subtract) start - product else start + product) << 16) >> 16
+    def integer  = accumulator.toInt
+    def fraction = (accumulator >> 14).toInt
+    def gradient = if (sliver) integer else fraction
+    i.result match {
+      case Nowhere      =>
+      case Integer(w)   => word(w) = integer
+      case Fraction(w)  => word(w) = fraction
+      case Checked(w)   => word(w) = integer; if (accumulator >> 29 != 0 && accumulator >> 29 != -1) overflow = true
+      case GradientX(p) => gradientX(p) = gradient
+      case GradientY(p) => gradientY(p) = gradient
+      case Initial(p)   => initial(p) = fraction
+      case Edge(e)      => edge(e) = integer
+    }
+  }
+}
