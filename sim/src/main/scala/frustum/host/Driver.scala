@@ -25,8 +25,8 @@ object Driver {
     *
     * Pass i of n in frame f has the number f n + i, so that successive passes never share one.
     *
-    * InputError for what cannot be drawn: camera, light, textures, number of states, depth range, repeats, full
-    * store.
+    * InputError for what cannot be drawn: camera, light, textures, number of states, depth range,
+    * repeats, full store.
     */
   def prepare(
       scene: Scene,

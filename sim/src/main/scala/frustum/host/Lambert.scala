@@ -12,7 +12,7 @@ object Lambert {
   /** InputError for a light that has no direction. */
   def check(light: Vector3d): Unit =
     if (!light.isFinite || light.length == 0)
-      throw InputError(s"light ${light.x},${light.y},${light.z} has no direction; give x,y,z towards the light")
+      throw InputError(s"light ${light.x},${light.y},${light.z} has no direction; give x,y,z towards it")
 
   /** @param normal unit length; `towardsLight` of any length; the result lies in Ambient..1 */
   def factor(normal: Vector3d, towardsLight: Vector3d): Double = {
