@@ -1,16 +1,39 @@
 package frustum.command
 
 import frustum.InputError
+import scala.util.control.NonFatal
 
-/** Entry of the workbench: the command's name, then its arguments. */
+/** Entry of the workbench: the command's name, then its arguments; or `--line` and all of it as one line, quoted as for
+  * a shell, which is how the launcher hands on what it was given.
+  */
 object Main {
-  val commands: Seq[CommandLine] = Seq(VerilogCommand, BitstreamCommand)
+  val commands: Seq[CommandLine] = Seq(DemoCommand, RenderCommand, VerilogCommand, BitstreamCommand)
 
-  def main(args: Array[String]): Unit = sys.exit {
-    try
-      commands.find(c => args.headOption.contains(c.name)).map(_.run(args.toSeq.tail)).getOrElse {
-        throw InputError(s"no command '${args.headOption.getOrElse("")}'; choose one of ${commands.map(_.name).mkString(", ")}")
-      }
-    catch { case InputError(message) => println(s"error: $message"); 2 }
+  def main(args: Array[String]): Unit = sys.exit(run(args.toSeq))
+
+  /** The exit code. Bad input gives one line on stderr; only faults of our own give a stack trace. */
+  def run(args: Seq[String]): Int =
+    try args match {
+      case Seq("--line", line) => dispatch(Words.split(line))
+      case words               => dispatch(words)
+    } catch {
+      case InputError(message) =>
+        Console.err.println(s"error: ${message.linesIterator.map(_.trim).mkString(" ")}")
+        2
+      case NonFatal(fault) =>
+        Console.err.println(s"error: internal fault, please report it: $fault")
+        fault.printStackTrace(Console.err)
+        1
+    }
+
+  private def dispatch(words: Seq[String]): Int = words.headOption match {
+    case None | Some("--help") =>
+      println("usage: ./sbt \"COMMAND ARGS\"; ./sbt \"COMMAND --help\" tells the arguments")
+      commands.foreach(c => println(f"  ${c.name}%-10s ${c.summary}"))
+      0
+    case Some(name) =>
+      commands.find(_.name == name).map(_.run(words.tail)).getOrElse(
+        throw InputError(s"there is no command '$name'; choose one of ${commands.map(_.name).mkString(", ")}")
+      )
   }
 }

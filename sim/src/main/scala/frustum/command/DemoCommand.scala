@@ -1,0 +1,59 @@
+package frustum.command
+
+import frustum.engine.{EngineOptions, Engines}
+import frustum.host.DrawOptions
+import frustum.judge.FrameVerdict
+import frustum.picture.Picture
+import frustum.scene.Scenes
+import frustum.spec.{RasterConfig, Wrap}
+import frustum.OutputFile
+import scopt.OParser
+import java.nio.file.{Path, Paths}
+
+/** Arguments of `demo`. */
+final case class DemoOptions(engine: String = Engines.names.head, out: Path = Paths.get("out", "demo"), seed: Long = 1)
+
+/** `demo`: every scene, with its picture, the reference's and their difference on one page. */
+object DemoCommand extends CommandLine {
+  val name    = "demo"
+  val summary = "draws every scene; writes the page out/demo/index.html"
+
+  private val parser: OParser[_, DemoOptions] = {
+    val builder = OParser.builder[DemoOptions]
+    import builder._
+    OParser.sequence(
+      programName("./sbt demo"), head(s"demo: $summary"),
+      opt[String]("engine")(Arguments.oneOf(Engines.names.map(n => n -> n): _*)).valueName(Engines.names.mkString("|"))
+        .action((v, o) => o.copy(engine = v)).text(s"what draws (default ${Engines.names.head})"),
+      opt[Path]("out")(Arguments.file).valueName("DIR").action((v, o) => o.copy(out = v)).text("(default out/demo)"),
+      opt[Long]("seed")(Arguments.seed).valueName("N").action((v, o) => o.copy(seed = v))
+        .text("of whatever is random (default 1)"),
+      note("  --help                   prints this")
+    )
+  }
+
+  def run(args: Seq[String]): Int = Arguments.parse(name, parser, args, DemoOptions()).fold(0)(demo)
+
+  private def demo(o: DemoOptions): Int = {
+    val entry  = Engines.byName(o.engine)
+    val config = RasterConfig()
+    val shown = for (sceneName <- Scenes.names) yield {
+      val scene   = Scenes.byName(sceneName)
+      val options = DrawOptions(None, cullBack = false, Wrap.Repeat, scene.background)
+      val run     = SceneRun(scene, scene.camera, options, config, 1, 0, entry, EngineOptions(o.seed, None))
+      val figures = run.figures((_, verdict) => writePictures(o.out, sceneName, config, verdict))
+      val report  = RenderReport.json(name, o.seed, figures)
+      OutputFile.writeText(o.out.resolve(s"$sceneName.json"), ujson.write(report, indent = 2) + "\n")
+      (figures, report)
+    }
+    OutputFile.writeText(o.out.resolve("index.html"), DemoPage(o.out, shown.map(_._2)))
+    println(DemoTable(shown.map(_._2)))
+    println(s"wrote ${o.out.resolve("index.html")}")
+    shown.map { case (f, _) => f.verdict(o.out.resolve(s"${f.scene}.json")) }.max
+  }
+
+  private def writePictures(out: Path, scene: String, config: RasterConfig, v: FrameVerdict): Unit =
+    for ((kind, picture) <- Seq(
+        "" -> v.picture, ".reference" -> v.reference, ".difference" -> Picture.difference(v.picture, v.reference)
+      )) Picture.writePng(out.resolve(s"$scene$kind.png"), config.width, config.height, picture)
+}

@@ -1,0 +1,71 @@
+package frustum.command
+
+import frustum.BuildInfo
+import frustum.boards.Tops
+import java.nio.file.{Files, Path, Paths}
+import scala.util.Try
+
+/** The JSON report of `render` and of each scene of `demo`. What the engine does not produce is absent. */
+object RenderReport {
+  private val Top = "icebreaker-raster"
+
+  def json(command: String, seed: Long, f: SceneFigures, clock: Clock = Clock.ofTop(Top)): ujson.Obj = {
+    val report = ujson.Obj(
+      "command" -> command, "version" -> BuildInfo.version, "seed" -> seed.toDouble, "engine" -> f.engine,
+      "scene" -> f.scene, "width" -> f.config.width, "height" -> f.config.height, "frames" -> f.frames.length
+    )
+    def put(key: String, value: Option[Double]): Unit = value.foreach(v => report(key) = v)
+    val clocks = f.mean(_.clocks)
+    val atPins = f.mean(_.clocksAtPins)
+    val fragments = f.mean(frame => Some(frame.fragments))
+    put("triangles", f.mean(frame => Some(frame.sceneTriangles.toLong)))
+    put("trianglesDrawn", f.mean(frame => Some(frame.trianglesDrawn.toLong)))
+    put("fragments", fragments)
+    put("clocksPerFrame", clocks)
+    put("clocksPerFrameAtPins", atPins)
+    put("clocksPerFragment", clocks.zip(fragments.filter(_ > 0)).map { case (c, n) => c / n })
+    put("busBytes", f.mean(_.busBytes))
+    put("passes", f.mean(frame => Some(frame.passes.toLong)))
+    if (clocks.isDefined || atPins.isDefined) {
+      report("clockMHz") = clock.mhz
+      report("clockSource") = clock.source
+      put("framesPerSecond", clocks.map(clock.mhz * 1e6 / _))
+      put("framesPerSecondAtPins", atPins.map(clock.mhz * 1e6 / _))
+    }
+    report("engineSeconds") = f.seconds
+    f.pixelsDifferent.foreach(n => report("hardwareVsModel") = ujson.Obj("pixelsDifferent" -> n.toDouble))
+    f.model.foreach { m =>
+      report("modelVsReference") = ujson.Obj(
+        "coverageWrong" -> m.coverage.wrong.toDouble, "coverageMissing" -> m.coverage.missing.toDouble,
+        "coverageExtra" -> m.coverage.extra.toDouble, "coverageTwice" -> m.coverage.twice.toDouble,
+        "texelsJudged" -> m.texels.judged.toDouble, "texelsWrong" -> m.texels.wrong.toDouble,
+        "texelsWrongByMoreThanOne" -> m.texels.wrongByMoreThanOne.toDouble, "maxTexelError" -> m.texels.maxError,
+        "primitiveWrong" -> m.depth.primitiveWrong.toDouble, "depthOrderWrong" -> m.depth.depthOrderWrong.toDouble,
+        "psnr" -> orNull(f.psnr)
+      )
+    }
+    report("endToEnd") = ujson.Obj(
+      "coverageWrong" -> f.endToEnd.coverageWrong.toDouble, "texelsWrong" -> f.endToEnd.texelsWrong.toDouble,
+      "psnr" -> orNull(f.endToEndPsnr), "flip" -> f.flip
+    )
+    report
+  }
+
+  /** An infinite figure is null. */
+  private def orNull(v: Option[Double]): ujson.Value = v.fold[ujson.Value](ujson.Null)(ujson.Num(_))
+}
+
+/** The clock that frame rates are reckoned with, and where it comes from: "placed" or "target". */
+final case class Clock(mhz: Double, source: String)
+
+object Clock {
+  private val TargetMHz = 36.0
+
+  /** The slowest seed of the top's last bitstream report where there is one, else the frequency it aims at. */
+  def ofTop(top: String, folder: Path = Paths.get("out", "bitstream")): Clock = {
+    val report = folder.resolve(s"$top.json")
+    val placed = Option.when(Files.isRegularFile(report))(report)
+      .flatMap(r => Try(ujson.read(Files.readString(r))("clockMHz")("min").num).toOption)
+    placed.fold(Clock(Tops.find(top).fold(TargetMHz)(_.targetMHz.toDouble), "target"))(Clock(_, "placed"))
+  }
+}

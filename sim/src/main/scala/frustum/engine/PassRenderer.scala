@@ -1,0 +1,25 @@
+package frustum.engine
+
+import frustum.FragmentProbe
+import frustum.host.{Driver, PreparedFrame}
+import frustum.reference.raster.ReferenceRaster
+import frustum.spec.{FramePass, RasterConfig}
+
+/** Draws one pass and tells the probe of each fragment: what the judges need of a model. */
+trait PassRenderer {
+
+  /** @param memory texel memory, 32768 texels
+    * @param into   RGB565, row by row from the top left; only the pass's region is written
+    */
+  def draw(pass: FramePass, memory: Array[Int], into: Array[Int], probe: Option[FragmentProbe]): Unit
+}
+
+/** The engine that a pass renderer makes. */
+final class PassEngine(renderer: RasterConfig => PassRenderer) extends Engine {
+  def render(frames: Seq[PreparedFrame]): Seq[RenderedFrame] = frames.map { frame =>
+    val image  = new Array[Int](frame.config.width * frame.config.height)
+    val memory = ReferenceRaster.texelMemory(frame.textures)
+    frame.passes.foreach(renderer(frame.config).draw(_, memory, image, None))
+    RenderedFrame(image, busBytes = Some(frame.passes.flatMap(Driver.commands).map(_.length.toLong).sum))
+  }
+}

@@ -1,0 +1,44 @@
+package frustum.host
+
+import frustum.InputError
+import frustum.scene.{Material, Scene}
+import frustum.spec.{Combine, DepthFunction, RenderState}
+
+/** The render states of a scene's materials; equal ones share an entry of the hardware's table. */
+final case class StateTable(states: IndexedSeq[RenderState], ofMaterial: IndexedSeq[Int]) {
+  def apply(material: Int): RenderState = states(ofMaterial(material))
+}
+
+object StateTable {
+
+  /** InputError when the scene needs more than [[RenderState.Count]] states. */
+  def apply(scene: Scene, textures: TextureMemory, options: DrawOptions): StateTable = {
+    val used   = scene.triangles.iterator.map(_.material).toSet
+    val each   = scene.materials.indices.map { i =>
+      if (used(i)) state(scene.materials(i), textures, options) else RenderState()
+    }
+    val states = scene.materials.indices.filter(used).map(each).distinct
+    if (states.length > RenderState.Count)
+      throw InputError(
+        s"${scene.name}: the materials need ${states.length} render states, the hardware holds ${RenderState.Count}; " +
+          "let materials share textures and blending"
+      )
+    StateTable(states, each.map(states.indexOf(_)))
+  }
+
+  /** What is blended does not write depth: whatever lies behind has been drawn already, and panes may intersect. */
+  private def state(m: Material, textures: TextureMemory, options: DrawOptions): RenderState = {
+    // Replace would hide the light, which is in the vertex colour
+    val combine = if (m.combine == Combine.Replace && options.light.isDefined) Combine.Modulate else m.combine
+    RenderState(
+      texture = m.texture.map(textures.references),
+      wrapS = options.wrap,
+      wrapT = options.wrap,
+      combine = if (m.texture.isEmpty) Combine.ColorOnly else combine,
+      depth = DepthFunction.Less,
+      depthWrite = !m.blend,
+      blend = m.blend,
+      alphaRef = m.alphaTest.fold(0)(a => (a * 31).round.toInt.max(1).min(31))
+    )
+  }
+}

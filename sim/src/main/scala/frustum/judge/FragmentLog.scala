@@ -1,0 +1,18 @@
+package frustum.judge
+
+import frustum.FragmentProbe
+import scala.collection.mutable.ArrayBuilder
+
+/** A covered pixel as the model saw it; `texelS`, `texelT` after wrapping, `depth` 0..65535. */
+final case class LoggedFragment(triangle: Int, x: Int, y: Int, texelS: Int, texelT: Int, depth: Int)
+
+/** Keeps every fragment of one pass, in the order told: what the judges judge. */
+final class FragmentLog extends FragmentProbe {
+  private val builder = new ArrayBuilder.ofRef[LoggedFragment]
+
+  def fragment(triangle: Int, x: Int, y: Int, texelS: Int, texelT: Int, depth: Int): Unit =
+    builder += LoggedFragment(triangle, x, y, texelS, texelT, depth)
+
+  /** Everything told so far. */
+  lazy val fragments: IndexedSeq[LoggedFragment] = builder.result().toIndexedSeq
+}

@@ -1,0 +1,67 @@
+package frustum.judge
+
+import frustum.engine.{PassRenderer, ReferenceRenderer, RenderedFrame}
+import frustum.host.PreparedFrame
+import frustum.picture.Picture
+import frustum.reference.raster.{ReferenceFrame, ReferenceRaster}
+import frustum.spec.RasterConfig
+
+/** The model against the reference that was fed with the vertices as the hardware decodes them. */
+final case class ModelVerdict(coverage: CoverageVerdict, texels: AttributeVerdict, depth: DepthVerdict) {
+  def +(o: ModelVerdict): ModelVerdict = ModelVerdict(coverage + o.coverage, texels + o.texels, depth + o.depth)
+}
+
+/** Everything known of one rendered frame. Pictures are 0xRRGGBB.
+  *
+  * @param fragments       covered pixels entering the fragment stages
+  * @param pixelsDifferent from the model's picture, for a simulated engine
+  * @param model           for every engine but the reference
+  */
+final case class FrameVerdict(
+    picture: Array[Int],
+    reference: Array[Int],
+    endToEndPicture: Array[Int],
+    fragments: Long,
+    pixelsDifferent: Option[Long],
+    model: Option[ModelVerdict],
+    endToEnd: EndToEndVerdict
+)
+
+/** Judges the frames of an engine.
+  *
+  * @param model the model that the engine is held against; None for the reference itself
+  */
+final class FrameJudge(model: Option[RasterConfig => PassRenderer], simulated: Boolean) {
+
+  def judge(frame: PreparedFrame, rendered: RenderedFrame): FrameVerdict = {
+    val config   = frame.config
+    val memory   = ReferenceRaster.texelMemory(frame.textures)
+    val renderer = model.fold[PassRenderer](new ReferenceRenderer(config))(_(config))
+    val image    = new Array[Int](config.width * config.height)
+    val logs = frame.passes.map { pass =>
+      val log = new FragmentLog
+      renderer.draw(pass, memory, image, Some(log))
+      log.fragments
+    }
+    val reference                   = ReferenceRaster.draw(frame).rgb888
+    val (endToEnd, endToEndPicture) = EndToEndJudge.judge(frame, logs)
+    FrameVerdict(
+      // The reference's own picture need not be squeezed into RGB565.
+      picture = if (model.isEmpty) reference else Picture.ofRgb565(rendered.image),
+      reference, endToEndPicture, logs.map(_.length.toLong).sum,
+      Option.when(simulated)(image.indices.count(i => image(i) != rendered.image(i)).toLong),
+      Option.when(model.isDefined)(judgeModel(frame, logs, memory)),
+      endToEnd
+    )
+  }
+
+  private def judgeModel(frame: PreparedFrame, logs: Seq[IndexedSeq[LoggedFragment]], memory: Array[Int]): ModelVerdict =
+    frame.passes.zip(logs).map { case (pass, log) =>
+      val reference = new ReferenceFrame(frame.config)
+      ReferenceRaster.drawPass(reference, pass, memory, 0, _ => ())
+      ModelVerdict(
+        CoverageJudge.judge(pass, log, frame.config), AttributeJudge.judge(pass, log),
+        new DepthJudge(pass, frame.config, memory).judge(log, reference)
+      )
+    }.reduceOption(_ + _).getOrElse(ModelVerdict(CoverageJudge.Clean, AttributeJudge.Clean, DepthVerdict(0, 0)))
+}

@@ -1,0 +1,37 @@
+package frustum.picture
+
+import java.awt.image.BufferedImage
+import java.nio.file.Path
+import javax.imageio.ImageIO
+import frustum.OutputFile
+
+/** Pictures are 0xRRGGBB, row by row from the top left. */
+object Picture {
+
+  /** RGB565 to 0xRRGGBB, each component to the nearest of 0..255. */
+  def ofRgb565(image: Array[Int]): Array[Int] = image.map { c =>
+    def widen(v: Int, most: Int) = (v * 255 * 2 + most) / (2 * most)
+    widen(c >> 11 & 31, 31) << 16 | widen(c >> 5 & 63, 63) << 8 | widen(c & 31, 31)
+  }
+
+  /** Amplified absolute difference on white: equal pixels are white, the more two differ the darker, and any difference
+    * at all shows.
+    */
+  def difference(a: Array[Int], b: Array[Int], gain: Int = 8): Array[Int] = {
+    require(a.length == b.length, s"pictures of ${a.length} and ${b.length} pixels")
+    a.indices.map { i =>
+      Seq(16, 8, 0).map { shift =>
+        val d = ((a(i) >> shift & 255) - (b(i) >> shift & 255)).abs
+        (255 - (d * gain).min(255)) << shift
+      }.sum
+    }.toArray
+  }
+
+  /** Writes a PNG; the file appears whole or not at all. */
+  def writePng(file: Path, width: Int, height: Int, rgb: Array[Int]): Unit = {
+    require(rgb.length == width * height, s"${rgb.length} pixels for a picture of $width x $height")
+    val image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)
+    image.setRGB(0, 0, width, height, rgb, 0, width)
+    OutputFile.write(file)(part => ImageIO.write(image, "png", part.toFile))
+  }
+}
