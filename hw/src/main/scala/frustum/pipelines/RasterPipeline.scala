@@ -27,7 +27,7 @@ case class RasterPipeline(config: RasterConfig, slots: Int = 4, dropWhenFull: Bo
     val status = out(LinkStatus())
     /** A triangle was set up whole, or moved to a tile: for measurements. */
     val setUp, moved = out Bool ()
-    /** A frame is being drawn; its last pixels may follow. */
+    /** A frame is being drawn; low for a clock at least between frames. Its last pixels may follow. */
     val drawing = out Bool ()
   }
   val link       = CommandLink(config, dropWhenFull = dropWhenFull)
@@ -39,14 +39,16 @@ case class RasterPipeline(config: RasterConfig, slots: Int = 4, dropWhenFull: Bo
   link.io.store <> store.io.clients(0)
   rasterizer.io.stores.zip(store.io.clients.tail).foreach { case (client, port) => client <> port }
   link.io.texels >> fragments.io.texels
-  rasterizer.io.tile >> fragments.io.tile
+  // The resolver takes a tile's position when the tile is drawn; the rasterizer goes on to the next long before.
+  rasterizer.io.tile.m2sPipe().m2sPipe() >> fragments.io.tile
   rasterizer.io.down >> fragments.io.up
   fragments.io.state := rasterizer.io.state
   rasterizer.io.draining := fragments.io.busy
   fragments.io.pixels >> io.pixels
 
-  // A frame starts in the tile memories, then in the rasterizer, which gives it back when it is drawn.
-  val job     = link.io.job
+  // A frame starts in the tile memories, then in the rasterizer, which gives it back when it is drawn. It waits here, so
+  // that the decoder can go on with the next.
+  val job     = link.io.job.halfPipe()
   val started = RegInit(False) setWhen fragments.io.start.fire clearWhen job.fire
   fragments.io.start.valid := job.valid && !started
   fragments.io.start.clearColor := job.clearColor

@@ -1,0 +1,57 @@
+package frustum.engine
+
+import frustum.OutputFile
+import spinal.core._
+import spinal.core.sim._
+import java.nio.file.{Files, Path, StandardCopyOption}
+import scala.collection.mutable
+import scala.jdk.CollectionConverters._
+import scala.util.Using
+
+/** Compiles simulations for the engines, each only once in the life of the program (and Verilator's work, kept in
+  * `simWorkspace`, only once as long as the hardware stays as it is).
+  */
+object EngineSim {
+  private val compiled = mutable.Map.empty[(String, Option[String]), SimCompiled[_]]
+
+  /** Units of simulation time in a clock. */
+  val Period = 10L
+
+  def spinalConfig: SpinalConfig = SpinalConfig(
+    defaultConfigForClockDomains = ClockDomainConfig(resetKind = SYNC),
+    defaultClockDomainFrequency = FixedFrequency(36 MHz)
+  )
+
+  /** @param name must tell everything that the design depends on
+    * @param wave file that is to take a waveform: VCD where its name ends so, else FST
+    */
+  def compile[C <: Component](name: String, wave: Option[Path] = None)(design: => C): SimCompiled[C] = synchronized {
+    val kind = wave.map(file => if (file.toString.endsWith(".vcd")) "vcd" else "fst")
+    compiled.getOrElseUpdate((name, kind), {
+      println(s"$name: compiling the simulation; this takes a minute or two the first time")
+      val settings = SimConfig.withConfig(spinalConfig).allOptimisation.workspaceName(name + kind.fold("")("_" + _))
+      val waved = kind match {
+        case Some("vcd") => settings.withVcdWave
+        case Some(_)     => settings.withFstWave
+        case None        => settings
+      }
+      waved.compile(design)
+    }).asInstanceOf[SimCompiled[C]]
+  }
+
+  /** Runs a simulation and moves its waveform to where it is wanted. */
+  def run[C <: Component, A](sim: SimCompiled[C], wave: Option[Path], seed: Long)(body: C => A): A = {
+    var result = Option.empty[A]
+    sim.doSim("run", seed.toInt)(dut => result = Some(body(dut)))
+    wave.foreach(takeWave(sim, _))
+    result.get
+  }
+
+  private def takeWave(sim: SimCompiled[_], to: Path): Unit = {
+    val kind  = if (to.toString.endsWith(".vcd")) ".vcd" else ".fst"
+    val files = Using.resource(Files.walk(sim.compiledPath.toPath))(_.iterator.asScala.toSeq)
+    val found = files.filter(_.toString.endsWith(kind)).sortBy(Files.getLastModifiedTime(_)).lastOption
+    val file  = found.getOrElse(throw new IllegalStateException(s"the simulation wrote no $kind file"))
+    OutputFile.write(to)(part => Files.move(file, part, StandardCopyOption.REPLACE_EXISTING))
+  }
+}

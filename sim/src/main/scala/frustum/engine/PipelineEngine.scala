@@ -1,0 +1,37 @@
+package frustum.engine
+
+import frustum.host.{Driver, PreparedFrame}
+
+/** The Stream core in simulation: command bytes are fed as fast as they are taken, pixels taken as they come. While a
+  * frame is drawn the next one's bytes arrive.
+  *
+  * @param byteStall,pixelStall see [[PipelineSession]]
+  */
+final class PipelineEngine(options: EngineOptions, byteStall: Double = 0, pixelStall: Double = 0) extends Engine {
+
+  def render(frames: Seq[PreparedFrame]): Seq[RenderedFrame] = if (frames.isEmpty) Nil else {
+    val config = frames.head.config
+    EngineSim.run(PipelineEngine.compile(config, options.wave), options.wave, options.seed) { dut =>
+      val session = new PipelineSession(dut, options.seed, byteStall, pixelStall)
+      frames.head.textures.flatMap(Driver.commands).foreach(session.send)
+      frames.flatMap(_.passes).flatMap(Driver.commands).foreach(session.send)
+      val drawn = frames.map { frame =>
+        val image  = new Array[Int](config.width * config.height)
+        val passes = frame.passes.map(session.take(_, image))
+        RenderedFrame(image, clocks = Some(passes.map(_.clocks).sum), busBytes = Some(PipelineEngine.busBytes(frame)))
+      }
+      if (session.faulty) throw new IllegalStateException(s"the link refused what the driver sent: ${session.status}")
+      drawn
+    }
+  }
+}
+
+object PipelineEngine {
+  def busBytes(frame: PreparedFrame): Long = frame.passes.flatMap(Driver.commands).map(_.length.toLong).sum
+
+  def compile(config: frustum.spec.RasterConfig, wave: Option[java.nio.file.Path] = None) = {
+    import config._
+    val name = s"Pipeline_${width}x${height}_${tileWidth}x${tileHeight}_${maxVertices}_${maxTriangles}_$textureTexels"
+    EngineSim.compile(name, wave)(PipelineTestbed(config))
+  }
+}
