@@ -87,6 +87,12 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   token.parity := parity
   token.x := firstX
 
+  // A power of two, for shifts by multiplication.
+  val shift        = Reg(UInt(5 bits))
+  val oneHotAmount = UInt(5 bits)
+  oneHotAmount := fetch.io.write.valid ? fetch.io.scaleShift | shift
+  val oneHot = (U(1, 32 bits) |<< oneHotAmount).asSInt
+
   // Between the engine's runs this control writes and reads the scratch memory.
   val window = Reg(Window(config))
   val sliver = Reg(Bool())
@@ -95,6 +101,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   engine.io.sliver := sliver
   engine.io.read := fetch.io.read
   engine.io.write << fetch.io.write
+  when(fetch.io.scale) { engine.io.write.data := oneHot }
   def write(word: Int, data: SInt): Unit = {
     engine.io.write.valid := True
     engine.io.write.word := word
@@ -102,33 +109,30 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   }
 
   // The area, shifted left until bit 29 is set.
-  val area  = Reg(SInt(32 bits))
-  val shift = Reg(UInt(5 bits))
+  val area = Reg(SInt(32 bits))
   when(engine.io.result.valid && engine.io.result.target === Area) { area := engine.io.result.value }
-  val oneHotAmount = UInt(5 bits)
-  oneHotAmount := shift
-  val oneHot = (U(1, 32 bits) |<< oneHotAmount).asSInt
 
   // Part of the bounding box in the tile along one axis, from the word just read.
-  def tile(origin: UInt, log2: Int, size: Int) = new Area {
-    val start = (origin << log2).resize(11).intoSInt
-    val word  = engine.io.readData
-    val first = word(31 downto 16).resize(13) - start
-    val last  = word(15 downto 0).resize(13) - start
-    val end   = S(size - 1, 13 bits) - start
-    val full  = S((1 << log2) - 1, 13 bits)
-    val bound = (end < full) ? end | full
-    val low   = first.msb ? S(0, 13 bits) | first
-    val high  = (last > bound) ? bound | last
-    val none  = low > high
+  val rows  = Bool()
+  val first = SInt(13 bits)
+  val last  = SInt(13 bits)
+  val bound = SInt(13 bits) // the tile's last, or the screen's
+  private def lastIn(tile: UInt, log2: Int, size: Int) = {
+    val partial = (size - 1) & ((1 << log2) - 1)
+    (tile === ((size - 1) >> log2)) ? S(partial, 13 bits) | S((1 << log2) - 1, 13 bits)
   }
-  val columns = tile(job.tileX, config.tileLog2Width, config.width)
-  val rows    = tile(job.tileY, config.tileLog2Height, config.height)
+  val origin = rows ? (job.tileY << config.tileLog2Height).resize(12) | (job.tileX << config.tileLog2Width).resize(12)
+  first := engine.io.readData(31 downto 16).resize(13) - origin.intoSInt
+  last := engine.io.readData(15 downto 0).resize(13) - origin.intoSInt
+  bound := rows ? lastIn(job.tileY, config.tileLog2Height, config.height) | lastIn(job.tileX, config.tileLog2Width, config.width)
+  val low  = first.msb ? S(0, 13 bits) | first
+  val high = (last > bound) ? bound | last
+  val none = low > high
 
   // A pixel's position relative to vertex 0, whose coordinate was just read, in 1/16 pixel.
   val pixel = UInt(10 bits)
-  def inTileX(x: UInt) = ((job.tileX << config.tileLog2Width) + x).resize(10)
-  def inTileY(y: UInt) = ((job.tileY << config.tileLog2Height) + y).resize(10)
+  def inTileX(x: UInt) = (job.tileX @@ x).resize(10)
+  def inTileY(y: UInt) = (job.tileY @@ y).resize(10)
   pixel := inTileX(window.left)
   val position = (pixel << 4).intoSInt.resize(32) - engine.io.readData
 
@@ -137,6 +141,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
       Rows, WriteLeft, WriteRight, WriteTop, Walk, Look, WritePixelX, WritePixelY, Hand, Run = newElement()
   }
   val state = RegInit(State.Idle)
+  rows := state === State.Rows
   val after = Reg(State()) // where to go when the engine is idle again
   val started = Reg(Bool())
   engine.io.run.valid := False
@@ -221,17 +226,17 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     is(State.ReadBoxX) { engine.io.read := BoxX; state := State.ReadBoxY }
     is(State.ReadBoxY) {
       engine.io.read := BoxY
-      window.left := columns.low.asUInt.resized
-      window.right := columns.high.asUInt.resized
+      window.left := low.asUInt.resized
+      window.right := high.asUInt.resized
       state := State.Rows
-      when(columns.none) { io.job.ready := True; state := State.Idle }
+      when(none) { io.job.ready := True; state := State.Idle }
     }
     is(State.Rows) {
       engine.io.read := X0
-      window.top := rows.low.asUInt.resized
-      window.bottom := rows.high.asUInt.resized
+      window.top := low.asUInt.resized
+      window.bottom := high.asUInt.resized
       state := State.WriteLeft
-      when(rows.none) { io.job.ready := True; state := State.Idle }
+      when(none) { io.job.ready := True; state := State.Idle }
     }
     is(State.WriteLeft) { engine.io.read := X0; write(Left, position); state := State.WriteRight }
     is(State.WriteRight) {
