@@ -272,8 +272,8 @@ case class CommandDecoder(config: RasterConfig) extends Component {
 
     is(texelAddress)(after(loadTexel))
     is(loadTexel) {
-      address := (data(11 downto 0) << 4).asUInt
-      when(data(15 downto 12) =/= 0) {
+      address := (data(10 downto 0) << 4).asUInt.resized
+      when(data(15 downto 11) =/= 0) { // also keeps the address from wrapping
         refused := True
         state   := skip
       } elsewhen (jobs === 0)(state := texel)

@@ -44,7 +44,7 @@ object SetupInstruction {
   final case class Edge(edge: Int) extends Result(7)
 
   /** Bits of an instruction word: result code 3, target 6, start 2, subtract 1, b 6, a 6. */
-  val Bits = 24
+  val WordBits = 24
   def encode(i: SetupInstruction): Int = {
     val target = i.result match {
       case Nowhere      => 0

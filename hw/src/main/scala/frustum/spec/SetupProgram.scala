@@ -11,6 +11,7 @@ import SetupWords._
   * however thin the triangle; gradients only carry a plane across one tile.
   */
 object SetupProgram {
+  private val nop = SetupInstruction(One, One, Keep, subtract = false, Nowhere)
   private def mac(a: Int, b: Int, start: Start = Keep, to: Result = Nowhere)  = SetupInstruction(a, b, start, subtract = false, to)
   private def macn(a: Int, b: Int, start: Start = Keep, to: Result = Nowhere) = SetupInstruction(a, b, start, subtract = true, to)
 
@@ -86,12 +87,13 @@ object SetupProgram {
     Seq(mac(value(p), One, Round), mac(delta1(p), Lambda1), mac(delta2(p), Lambda2, to = Initial(p)))
   }
 
+  val SectionArea = 0; val SectionAttributes = 1; val SectionSteps = 2; val SectionGradients = 3; val SectionEdges = 4
+  val SectionRebase = 5
+
   /** The programs as they lie in the engine's memory, with no-operations where a result is not ready. */
-  val sections: Seq[Seq[SetupInstruction]] = Seq(area, attributes, steps, gradients, edges, rebase).map(schedule)
+  val sections: Seq[Seq[SetupInstruction]] = Seq(area, attributes ++ steps, steps, gradients, edges, rebase).map(schedule)
   val starts: Seq[Int] = sections.scanLeft(0)(_ + _.length)
   val image: Seq[SetupInstruction] = sections.flatten
-
-  private val nop = SetupInstruction(One, One, Keep, subtract = false, Nowhere)
 
   /** Delays each instruction until its operands are written. Waiting is only allowed before an accumulation starts,
     * because a no-operation would disturb one under way.

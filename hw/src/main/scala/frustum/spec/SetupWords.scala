@@ -33,8 +33,9 @@ object SetupWords {
   def q(v: Int): Int    = 46 + v
   /** 2^(30 - (largest exponent - exponent)). */
   def scale(v: Int): Int = 49 + v
+  /** The area shifted to 2^29..2^30, plus one so that its reciprocal stays below 2. */
   val AreaNormal = 52
-  /** 2^shift and 2^(shift + 4) (14 less for a sliver), shift being that of the area's normalisation. */
+  /** 2^shift and 2^(shift + 4) (14 less for a sliver), shift being that of the area. */
   val Shift = 53; val Shift4 = 54
   val Error = 55
   val L1X = 40; val L1Y = 41; val L2X = 42; val L2Y = 49

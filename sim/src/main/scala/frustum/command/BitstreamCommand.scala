@@ -15,7 +15,8 @@ object BitstreamCommand extends CommandLine {
   def run(args: Seq[String]): Int =
     TopArguments.parse(parser, args).fold(0) { arguments =>
       val top       = arguments.find
-      val directory = Files.createDirectories(Paths.get("out", "bitstream"))
+      val directory = Paths.get("out", "bitstream")
+      Files.createDirectories(directory)
       // What an earlier run left would pass for this run's if this one failed.
       Seq("json", "bin").foreach(kind => Files.deleteIfExists(directory.resolve(s"${top.name}.$kind")))
       val report = build(top, arguments.seeds, directory)

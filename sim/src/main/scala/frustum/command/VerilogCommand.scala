@@ -12,7 +12,8 @@ object VerilogCommand extends CommandLine {
   def run(args: Seq[String]): Int = {
     TopArguments.parse(parser, args).foreach { arguments =>
       val top       = arguments.find
-      val directory = Files.createDirectories(Paths.get("out", "verilog"))
+      val directory = Paths.get("out", "verilog")
+      Files.createDirectories(directory)
       val scratch   = Files.createTempDirectory(directory, ".elaborate")
       try {
         top.writeVerilog(scratch.toString)

@@ -30,8 +30,7 @@ object Driver {
     val clipped  = clipTriangles(scene, camera, options, config, states)
     val scaled   = scaleW(clipped)
     val viewport = new Viewport(config)
-    val repeats  = new RepeatRemoval
-    val drawn    = scaled.flatMap(t => place(t, states.states.indexOf(t.state), options.cullBack, viewport, repeats))
+    val drawn    = scaled.flatMap(t => place(t, states.states.indexOf(t.state), options.cullBack, viewport))
     val regions  = new PassSplitter(config).split(drawn.map(_._2))
     val passes = regions.zipWithIndex.map { case ((region, triangles), i) =>
       val (vertices, indexed) = share(triangles)
@@ -81,7 +80,7 @@ object Driver {
 
   /** Snaps a triangle to the screen and turns it clockwise; None when it is not to be drawn. */
   private def place(
-      triangle: ClipTriangle, state: Int, cullBack: Boolean, viewport: Viewport, repeats: RepeatRemoval
+      triangle: ClipTriangle, state: Int, cullBack: Boolean, viewport: Viewport
   ): Option[(ClipTriangle, PackedCorners)] = {
     // without a texture the coordinates mean nothing: zero lets vertices be shared
     val plain = triangle.state.texture.isEmpty
@@ -93,7 +92,7 @@ object Driver {
       pixels <- viewport.pixels(corners(t, (0, 0)))
       if area > 0 || (area < 0 && !cullBack)
     } yield {
-      val p = corners(turned, repeats.offset(turned))
+      val p = corners(turned, RepeatRemoval.offset(turned))
       p.flatMap(_.fault).headOption.foreach(fault => throw new IllegalStateException(s"driver: a vertex's $fault"))
       (turned, PackedCorners(state, p(0), p(1), p(2), pixels))
     }

@@ -2,28 +2,23 @@ package frustum.host
 
 import frustum.InputError
 import frustum.spec.{Domain, Wrap}
-import scala.collection.mutable
-import scala.math.{floor, round}
+import scala.math.floor
 
-/** Takes whole repeats out of texture coordinates: they change no texel but cost accuracy. Each triangle has its own
-  * offset; a vertex shared with a triangle that has another offset must be sent twice, so the offset of a neighbour
-  * (or none at all) is taken wherever it leaves the vertex nearest to the eye, where texels are largest, within
-  * [[RepeatRemoval.Near]] repeats of 0.
+/** Takes whole repeats out of texture coordinates: they change no texel, but texel errors grow with the coordinate.
   *
-  * A mirrored texture repeats after two, so there offsets are even; a clamped one does not repeat: its offset is 0.
+  * A triangle's offset is the multiple of [[RepeatRemoval.Step]] next to its vertex nearest to the eye, where texels
+  * are largest. Steps of several repeats, rather than one, because a vertex shared by triangles with different offsets
+  * must be sent twice. A mirrored texture repeats after two, so the step is even; a clamped one never: no offset.
   */
-final class RepeatRemoval {
-  private val taken = mutable.HashMap.empty[(Double, Double, Double, Double, Double), (Int, Int)]
+object RepeatRemoval {
 
-  /** Offsets in s and t for a triangle; InputError when its coordinates exceed the format even so. */
+  /** Repeats; the nearest vertex ends up within half of this of 0. */
+  val Step = 4
+
+  /** Repeats to subtract from s and t; InputError when the coordinates exceed the vertex format even so. */
   def offset(triangle: ClipTriangle): (Int, Int) = {
-    val byDistance = triangle.v.sortBy(_.clip.w)
-    val nearest    = byDistance.head
-    def fits(o: (Int, Int)) = (nearest.s - o._1).abs <= RepeatRemoval.Near && (nearest.t - o._2).abs <= RepeatRemoval.Near
-    val candidates = (0, 0) +: byDistance.flatMap(v => taken.get(key(v)))
-    val chosen     = candidates.find(o => fits(allowed(o, triangle))).getOrElse(whole(nearest, triangle))
-    val offset     = allowed(chosen, triangle)
-    triangle.v.foreach(v => taken.update(key(v), offset))
+    val nearest = triangle.v.minBy(_.clip.w)
+    val offset  = (steps(nearest.s, triangle.state.wrapS), steps(nearest.t, triangle.state.wrapT))
     for ((name, values) <- Seq("s" -> triangle.v.map(_.s - offset._1), "t" -> triangle.v.map(_.t - offset._2)))
       if (!values.forall(_.abs < Domain.MaxRepeats - 1.0 / 65536))
         throw InputError(
@@ -33,26 +28,6 @@ final class RepeatRemoval {
     offset
   }
 
-  private def key(v: ClipVertex) = (v.clip.x, v.clip.y, v.clip.w, v.s, v.t)
-
-  private def whole(v: ClipVertex, triangle: ClipTriangle): (Int, Int) = {
-    def one(x: Double, wrap: Wrap) =
-      if (x.abs > 1e9) 0 else if (wrap == Wrap.Mirror) 2 * round(x / 2).toInt else floor(x + 0.5).toInt
-    (one(v.s, triangle.state.wrapS), one(v.t, triangle.state.wrapT))
-  }
-
-  private def allowed(o: (Int, Int), triangle: ClipTriangle): (Int, Int) = {
-    def one(offset: Int, wrap: Wrap) = wrap match {
-      case Wrap.Clamp  => 0
-      case Wrap.Mirror => offset & ~1
-      case Wrap.Repeat => offset
-    }
-    (one(o._1, triangle.state.wrapS), one(o._2, triangle.state.wrapT))
-  }
-}
-
-object RepeatRemoval {
-
-  /** Repeats the nearest vertex may be away from 0. */
-  val Near = 2.0
+  private def steps(coordinate: Double, wrap: Wrap): Int =
+    if (wrap == Wrap.Clamp || coordinate.abs > 1e9) 0 else Step * floor(coordinate / Step + 0.5).toInt
 }

@@ -53,7 +53,7 @@ object Corridor {
 
   private def grille: IndexedSeq[Triangle] =
     Grid.rectangle(
-      new Vector3d(-halfWidth, 0, -13), new Vector3d(2 * halfWidth, 0, 0), new Vector3d(0, 2.2, 0), (6, 4.4), (1, 1), 2
+      new Vector3d(-halfWidth, 0, -9), new Vector3d(2 * halfWidth, 0, 0), new Vector3d(0, 2.2, 0), (4, 3), (1, 1), 2
     )(lit(1.6)(_) match { case (r, g, b, a) => (r.min(1.0), g.min(1.0), b.min(1.0), a) })
 
   /** Listed front to back on purpose: the driver sorts what is blended. */
@@ -62,6 +62,6 @@ object Corridor {
       Grid.rectangle(new Vector3d(x, 0, z), new Vector3d(1.7, 0, 0), new Vector3d(0, 2.4, 0), (1, 1), (1, 1), material)(
         p => { val f = 0.7 + 0.3 * p.y / 2.4; (f, f, f, 1.0) }
       )
-    pane(3, -1.5, -2.5) ++ pane(4, -0.2, -5) ++ pane(5, -1.5, -8.5)
+    pane(3, -1.5, -2.5) ++ pane(4, -0.2, -5) ++ pane(5, -0.6, -7.2)
   }
 }

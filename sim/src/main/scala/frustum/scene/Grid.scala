@@ -37,6 +37,8 @@ object Grid {
     val e1 = new Vector3d(t.v1.position).sub(t.v0.position)
     val e2 = new Vector3d(t.v2.position).sub(t.v0.position)
     val n  = new Vector3d(e1).cross(e2)
-    if (n.length <= 1e-12 * e1.length * e2.length) None else Some(n.normalize)
+    val extent = e1.lengthSquared.max(e2.lengthSquared)
+    // rounding leaves corners that should coincide apart by some 1e-16 of the size
+    if (n.length <= 1e-12 * extent) None else Some(n.normalize)
   }
 }

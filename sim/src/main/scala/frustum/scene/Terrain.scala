@@ -15,7 +15,7 @@ object Terrain {
       MeshVertex(ground(x, z), normal(x, z), j / 2.0, (rows - i) / 2.0, color(x, z))
     }
     val material = Material("grain", (1, 1, 1), 1, Some(Pictures.grain), Combine.Modulate, blend = false, None)
-    val camera = Camera(new Vector3d(1, 8.5, 17), new Vector3d(0.5, 0.2, 0), new Vector3d(0, 1, 0), 52, 1, 60)
+    val camera = Camera(new Vector3d(1, 6.5, 14.5), new Vector3d(0.4, 1.2, 0), new Vector3d(0, 1, 0), 52, 1, 60)
     Scene("terrain", Grid.triangles(grid, 0), IndexedSeq(material), camera, 0x9cc4e8)
   }
 

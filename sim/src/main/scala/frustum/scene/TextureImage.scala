@@ -9,7 +9,7 @@ final case class TextureImage(width: Int, height: Int, argb: IndexedSeq[Int], ha
   require(argb.length == width * height, s"${argb.length} texels for a texture of $width x $height")
 
   /** Kept, because pictures serve as keys. */
-  override lazy val hashCode: Int = scala.util.hashing.MurmurHash3.productHash(this)
+  override lazy val hashCode: Int = (width, height, argb, hasAlpha).##
 }
 
 object TextureImage {

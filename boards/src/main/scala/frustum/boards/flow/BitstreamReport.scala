@@ -16,11 +16,14 @@ final case class BitstreamReport(
 
   /** The core clock's MHz, seed by seed. */
   val coreMHz: Seq[Double] = placements.filter(_.fits).map { p =>
-    // nextpnr appends to a net's name on its way to a global buffer.
-    val byNet   = p.clocks.map { case (net, (mhz, _)) => net.split('$').head -> mhz }
-    val unknown = byNet.keySet -- top.clocks.map(_.net)
-    if (unknown.nonEmpty) throw FlowFault(s"no frequency is required of the clocks ${unknown.mkString(", ")}: name them in the table")
-    byNet.getOrElse(top.core.net, throw FlowFault(s"nextpnr found no clock ${top.core.net}, only ${byNet.keys.mkString(", ")}"))
+    val byNet = p.clocks.map { case (net, figures) => BitstreamReport.plainNet(net) -> figures }
+    for ((net, (_, required)) <- byNet) {
+      val wanted = top.clocks.find(_.net == net).map(_.mhz.toDouble)
+      if (!wanted.exists(mhz => (mhz - required).abs < mhz / 1000))
+        throw FlowFault(s"nextpnr held the clock $net to $required MHz, the table of tops to ${wanted.getOrElse("nothing")}")
+    }
+    val core = byNet.get(top.core.net)
+    core.getOrElse(throw FlowFault(s"nextpnr found no clock ${top.core.net}, only ${byNet.keys.mkString(", ")}"))._1
   }
 
   /** Clocks that fall short in some seed, with what they reach. */
@@ -60,4 +63,12 @@ final case class BitstreamReport(
     figures("meetsTarget") = meetsTarget
     figures
   }
+}
+
+object BitstreamReport {
+
+  /** A net's name without what nextpnr appends on the way to a global buffer; yosys joins the names of a hierarchy by
+    * an underscore or, since 0.70, by a dot.
+    */
+  def plainNet(net: String): String = net.split('$').head.replace('.', '_')
 }

@@ -11,7 +11,8 @@ object Ice40Flow {
     * @param say told of each step as it ends
     */
   def run(top: BoardTop, seeds: Seq[Int], directory: Path, tools: Ice40Tools, say: String => Unit): BitstreamReport = {
-    val work = Files.createDirectories(directory.resolve(s"${top.name}.build"))
+    val work = directory.resolve(s"${top.name}.build")
+    Files.createDirectories(work)
     val module = top.writeVerilog(work.toString)
     say(s"elaborated $module into $work/${top.name}.v")
     Yosys.synthesise(tools.yosys, work, top.name, module)

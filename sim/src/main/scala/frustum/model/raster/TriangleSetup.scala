@@ -27,8 +27,8 @@ final class TriangleSetup {
     run(SetupProgram.area)
     word(Area) > 0 && {
       val area  = scala.math.max(word(Area), Domain.MinArea)
-      val shift = Integer.numberOfLeadingZeros(area) - 2
-      word(AreaNormal) = area << shift
+      val shift = java.lang.Integer.numberOfLeadingZeros(area) - 2
+      word(AreaNormal) = area << shift | 1
       word(Shift) = 1 << shift
       word(Shift4) = 1 << (shift + 4)
       run(SetupProgram.attributes)

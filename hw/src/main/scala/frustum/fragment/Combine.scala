@@ -1,0 +1,69 @@
+package frustum.fragment
+
+import frustum.raster.RenderStateWord
+import frustum.spec
+import frustum.spec.RasterConfig
+import frustum.texture.Texel
+import spinal.core._
+import spinal.lib._
+
+/** Colour of the fragment from texel and vertex colour: OpenGL's texture environments; one a clock, latency 2 clocks.
+  *
+  * One product per channel serves all modes: (t * (c + c[7]) + 128) >> 8 with t the texel's 5 or 6 bits and c the
+  * vertex's 8. It is exact at c = 0 and c = 255; Replace puts 255 for c, ColorOnly puts all ones for t, which rounds c to
+  * the frame buffer's bits. An RGB565 texel has no alpha: the vertex's is kept.
+  */
+case class Combine(config: RasterConfig) extends Component {
+  val io = new Bundle {
+    val up    = slave(Stream(TexturedFragment(config)))
+    val state = in(RenderStateWord())
+    val down  = master(Stream(ColoredFragment(config)))
+    val busy  = out Bool ()
+  }
+
+  case class Operands() extends Bundle {
+    val x          = UInt(config.tileLog2Width bits)
+    val y          = UInt(config.tileLog2Height bits)
+    val z          = UInt(16 bits)
+    val texel      = Texel()
+    val r, g, b, a = UInt(9 bits) // factors, 0..256
+    val tileEnd    = Bool()
+  }
+
+  val colorOnly = io.state.combine === spec.Combine.ColorOnly.code
+  val replace   = io.state.combine === spec.Combine.Replace.code
+
+  val operands = io.up.translateWith {
+    val next = Operands()
+    val from = io.up.payload
+    next.x       := from.attributes.x
+    next.y       := from.attributes.y
+    next.z       := from.attributes.z
+    next.tileEnd := from.attributes.tileEnd
+    next.texel.assignFromBits(from.texel.asBits | colorOnly #* widthOf(from.texel))
+    def factor(c: UInt, one: Bool): UInt = (c | (one #* 8).asUInt) +^ (c.msb || one).asUInt
+    next.r := factor(from.attributes.r, replace)
+    next.g := factor(from.attributes.g, replace)
+    next.b := factor(from.attributes.b, replace)
+    next.a := factor(from.attributes.a, replace && io.state.rgba4444)
+    next
+  }.m2sPipe(collapsBubble = false)
+
+  val combined = operands.translateWith {
+    val next = ColoredFragment(config)
+    val from = operands.payload
+    next.x       := from.x
+    next.y       := from.y
+    next.z       := from.z
+    next.tileEnd := from.tileEnd
+    def product(t: UInt, factor: UInt): UInt = ((t * factor + 128) >> 8).resize(widthOf(t))
+    next.r := product(from.texel.r, from.r)
+    next.g := product(from.texel.g, from.g)
+    next.b := product(from.texel.b, from.b)
+    next.a := product(from.texel.a, from.a)
+    next
+  }.m2sPipe(collapsBubble = false)
+
+  io.down << combined
+  io.busy := operands.valid || combined.valid
+}

@@ -1,0 +1,51 @@
+package frustum.raster
+
+import frustum.blackbox.Tech
+import frustum.link.{FrameJob, StoreBus}
+import frustum.spec.{RasterConfig, StoreLayout}
+import spinal.core._
+import spinal.lib._
+
+/** From a frame in the store to its fragments, tile by tile.
+  *
+  * {{{ frame -> TileSequencer -> TriangleSetup (with EdgeWalker) -> RenderStateLoader -> Interpolator -> fragments }}}
+  *
+  * @param slots triangles that stay set up, see [[TriangleSetup]]
+  */
+case class Rasterizer(config: RasterConfig, slots: Int, tech: Tech) extends Component {
+  val layout = StoreLayout(config)
+  val io = new Bundle {
+    val frame = slave Stream (FrameJob())
+    /** Clients of the scene store: sequencer, set-up, render state. */
+    val stores   = Vec(master(StoreBus(layout)), 3)
+    val tile     = master Stream (TilePosition())
+    val state    = out(RenderStateWord())
+    val draining = in Bool () // fragments in flight after `down`
+    val down     = master Stream (InterpolatedFragment(config))
+    val setUp, moved = out Bool () // pulses, see TriangleSetup
+  }
+  val sequencer    = TileSequencer(config)
+  val setup        = TriangleSetup(config, slots, tech)
+  val loader       = RenderStateLoader(config, slots)
+  val interpolator = Interpolator(config, slots)
+  val flush        = RegNext(!io.frame.valid, True)
+
+  sequencer.io.frame << io.frame
+  sequencer.io.tile >> io.tile
+  sequencer.io.job >-> setup.io.job
+  setup.io.token >> loader.io.up
+  loader.io.down >> interpolator.io.token
+  setup.io.spans.queue(1 << config.tileLog2Height) >> interpolator.io.spans
+  setup.io.write >> interpolator.io.write
+  interpolator.io.down >> io.down
+
+  Seq(sequencer.io.store, setup.io.store, loader.io.store).zip(io.stores).foreach { case (from, to) => from <> to }
+  Seq(setup.io.bank, loader.io.bank).foreach(_ := io.frame.bank)
+  Seq(setup.io.flush, loader.io.flush).foreach(_ := flush)
+  sequencer.io.drained :=
+    !setup.io.job.valid && !setup.io.token.valid && !interpolator.io.busy && !io.draining
+  loader.io.busy := interpolator.io.busy || io.draining
+  io.state := loader.io.current
+  io.setUp := setup.io.setUp
+  io.moved := setup.io.moved
+}

@@ -1,0 +1,42 @@
+package frustum.raster
+
+import frustum.link.StoreBus
+import frustum.spec.{RasterConfig, StoreLayout}
+import spinal.core._
+import spinal.lib._
+
+/** Holds the render state that the fragment stages see. Before a triangle of another state passes, everything in flight
+  * drains and the new state is read from the store.
+  */
+case class RenderStateLoader(config: RasterConfig, slots: Int) extends Component {
+  val layout = StoreLayout(config)
+  val io = new Bundle {
+    val flush   = in Bool () // a new frame: its states are to be read
+    val bank    = in UInt (1 bits)
+    val busy    = in Bool () // fragments in flight
+    val store   = master(StoreBus(layout))
+    val up      = slave Stream (DrawToken(config, slots))
+    val down    = master Stream (DrawToken(config, slots))
+    val current = out(RenderStateWord())
+  }
+  val current = Reg(RenderStateWord())
+  val index   = Reg(UInt(4 bits))
+  val loaded  = RegInit(False)
+  val asking  = RegInit(False)
+  val right   = io.up.tileEnd || loaded && index === io.up.state
+  io.down << io.up.haltWhen(!right)
+  io.current := current
+
+  io.store.cmd.valid := io.up.valid && !right && !io.busy && !asking
+  io.store.cmd.write := False
+  io.store.cmd.data := 0
+  io.store.cmd.address := io.bank @@ (U(layout.states, layout.bankAddressBits bits) + io.up.state)
+  asking.setWhen(io.store.cmd.fire)
+  when(asking && io.store.rsp.valid) {
+    asking := False
+    current.assignFromBits(io.store.rsp.payload)
+    index := io.up.state
+    loaded := True
+  }
+  loaded.clearWhen(io.flush)
+}

@@ -1,0 +1,169 @@
+package frustum.raster
+
+import frustum.link.StoreBus
+import frustum.spec.{SetupWords, StoreLayout}
+import frustum.spec.SetupWords._
+import spinal.core._
+import spinal.lib._
+
+/** A word for the set-up engine's scratch memory. */
+case class ScratchWrite() extends Bundle {
+  val word = UInt(6 bits)
+  val data = SInt(32 bits)
+}
+
+/** The pixels whose centres lie in a triangle's bounding box: first and last column, first and last row. */
+case class PixelBox() extends Bundle {
+  val firstX, lastX, firstY, lastY = SInt(12 bits)
+}
+
+/** Brings a triangle's three vertices from the store into the set-up engine's scratch memory: vertex 0's fields and the
+  * differences of the others', in the scales that [[frustum.spec.SetupProgram]] takes, one word a clock and three clocks
+  * a store word. Begins with `start`, ends with a pulse on `done`.
+  */
+case class SetupFetch(layout: StoreLayout) extends Component {
+  import SetupFetch._
+  val io = new Bundle {
+    val start    = in Bool ()
+    val vertices = in Vec (UInt(10 bits), 3)
+    val bank     = in UInt (1 bits)
+    val done     = out Bool ()
+    val store    = master(StoreBus(layout))
+    val write    = master Flow (ScratchWrite())
+    val read     = out UInt (6 bits)
+    val readData = in SInt (32 bits)
+    val box      = out(PixelBox())
+  }
+
+  object State extends SpinalEnum { val Idle, Exponents, Read, Wait, Write = newElement() }
+  val state  = RegInit(State.Idle)
+  val vertex = Reg(UInt(2 bits))
+  val step   = Reg(UInt(4 bits))
+  def perStep[T <: Data](of: Step => T): T = Vec(steps.map(of))(step.resized)
+  val lastVertex = vertex === 2
+
+  // Store reads: first the three exponents, then word after word of each vertex.
+  val index    = io.vertices(vertex).resize(layout.bankAddressBits)
+  val awaiting = RegInit(False) clearWhen io.store.rsp.valid
+  val wanted   = (state === State.Exponents) ? U(ExponentWord, 3 bits) | perStep(s => U(s.word, 3 bits))
+  io.store.cmd.valid := (state === State.Exponents || state === State.Read) && !awaiting
+  io.store.cmd.write := False
+  io.store.cmd.address := io.bank @@ ((index |<< 2) + index + wanted)
+  io.store.cmd.data := 0
+  awaiting.setWhen(io.store.cmd.fire)
+  val word = RegNextWhen(io.store.rsp.payload, io.store.rsp.valid)
+
+  val exponents = Vec.fill(3)(Reg(UInt(5 bits)))
+  val largest   = Reg(UInt(5 bits))
+  val arriving  = io.store.rsp.payload(31 downto 27).asUInt
+
+  val stepReadAhead = UInt(4 bits)
+  stepReadAhead := (state === State.Write) ? (step + 1) | step
+  io.read := Vec(steps.map(s => U(s.origin.getOrElse(0), 6 bits)))(stepReadAhead.resized)
+
+  // The field, scaled, less vertex 0's.
+  val x = word(31 downto 16).asSInt - 8 // pixel centres become multiples of 16
+  val y = word(15 downto 0).asSInt - 8
+  val behind = largest - exponents(vertex)
+  val field = perStep { s =>
+    def color(byte: Int) = word(8 * byte, 8 bits).asUInt.resize(32).asSInt |<< 7
+    s.field match {
+      case Field.X       => x.resize(32)
+      case Field.Y       => y.resize(32)
+      case Field.Z       => word(31 downto 16).asUInt.resize(32).asSInt |<< 15
+      case Field.Q       => word(15 downto 0).asUInt.resize(32).asSInt |<< 1
+      case Field.Texture => word(24 downto 0).asSInt.resize(32) |<< 6
+      case Field.Scale   => (S(1 << 30, 32 bits) |>> behind)
+      case Field.R       => color(3)
+      case Field.G       => color(2)
+      case Field.B       => color(1)
+      case Field.A       => color(0)
+    }
+  }
+  val relative   = perStep(s => Bool(s.origin.isDefined)) && vertex =/= 0
+  val difference = field - (relative ? io.readData | S(0, 32 bits))
+  io.write.valid := state === State.Write
+  io.write.word := Vec((0 to 2).map(v => perStep(s => U(s.targets(v), 6 bits))))(vertex.resized)
+  io.write.data := (relative && perStep(s => Bool(s.upper))) ? (difference |<< 16) | difference
+
+  val box = Reg(PixelBox())
+  io.box := box
+  def grow(first: SInt, last: SInt, at: SInt): Unit = {
+    val from = ((at + 15) >> 4).resize(12)
+    val to   = (at >> 4).resize(12)
+    when(vertex === 0 || from < first) { first := from }
+    when(vertex === 0 || to > last) { last := to }
+  }
+
+  io.done := False
+  switch(state) {
+    is(State.Idle) {
+      vertex := 0
+      step := 0
+      largest := 0
+      when(io.start) { state := State.Exponents }
+    }
+    is(State.Exponents) {
+      when(io.store.rsp.valid) {
+        exponents(vertex) := arriving
+        when(arriving > largest) { largest := arriving }
+        vertex := lastVertex ? U(0) | vertex + 1
+        when(lastVertex) { state := State.Read }
+      }
+    }
+    is(State.Read) { when(io.store.cmd.fire) { state := State.Wait } }
+    is(State.Wait) { when(io.store.rsp.valid) { state := State.Write } }
+    is(State.Write) {
+      step := step + 1
+      when(perStep(s => Bool(s.field == Field.X && !s.upper))) { grow(box.firstX, box.lastX, x) }
+      when(perStep(s => Bool(s.field == Field.Y))) { grow(box.firstY, box.lastY, y) }
+      when(perStep(s => Bool(lastOfWord(s)))) { state := State.Read }
+      when(step === steps.length - 1) {
+        step := 0
+        vertex := vertex + 1
+        when(lastVertex) {
+          state := State.Idle
+          io.done := True
+        }
+      }
+    }
+  }
+}
+
+object SetupFetch {
+  object Field extends Enumeration { val X, Y, Z, Q, Texture, Scale, R, G, B, A = Value }
+
+  /** One write of a vertex's field.
+    *
+    * @param word    which of the vertex's store words holds it
+    * @param targets scratch word for vertices 0, 1 and 2
+    * @param origin  vertex 0's value, subtracted for vertices 1 and 2
+    * @param upper   differences are written times 2^16
+    */
+  final case class Step(word: Int, field: Field.Value, targets: Seq[Int], origin: Option[Int] = None, upper: Boolean = false)
+
+  private def plane(field: Field.Value, word: Int, p: Int) =
+    Step(word, field, Seq(value(p), delta1(p), delta2(p)), Some(value(p)))
+
+  // What vertex 0 leaves in a difference's place, vertex 1 overwrites.
+  val steps: Seq[Step] = Seq(
+    Step(0, Field.X, Seq(X0, DX1, DX2), Some(X0)),
+    Step(0, Field.X, Seq(DX1_16, DX1_16, DX2_16), Some(X0), upper = true),
+    Step(0, Field.Y, Seq(Y0, DY1_16, DY2_16), Some(Y0), upper = true),
+    plane(Field.Z, 1, PlaneZ),
+    Step(1, Field.Q, (0 to 2).map(q)),
+    Step(2, Field.Texture, (0 to 2).map(s)),
+    Step(2, Field.Scale, (0 to 2).map(scale)),
+    Step(3, Field.Texture, (0 to 2).map(t)),
+    plane(Field.R, 4, PlaneR),
+    plane(Field.G, 4, PlaneG),
+    plane(Field.B, 4, PlaneB),
+    plane(Field.A, 4, PlaneA)
+  )
+  val ExponentWord = 2
+
+  private def lastOfWord(s: Step): Boolean = {
+    val next = steps.indexOf(s) + 1
+    next == steps.length || steps(next).word != s.word
+  }
+}

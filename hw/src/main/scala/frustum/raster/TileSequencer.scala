@@ -1,0 +1,115 @@
+package frustum.raster
+
+import frustum.link.{FrameJob, StoreBus}
+import frustum.spec.{RasterConfig, StoreLayout}
+import spinal.core._
+import spinal.lib._
+
+/** Position of a tile, in tiles. */
+case class TilePosition() extends Bundle {
+  val tileX, tileY = UInt(5 bits)
+}
+
+/** Walks a frame's tiles row by row and, for each, all triangles in order: a triangle whose box misses the tile costs one
+  * clock. Runs ahead of the set-up by one triangle.
+  *
+  * `frame` is taken when its last job has left the units behind (`drained`); `tile` announces each tile before its jobs.
+  */
+case class TileSequencer(config: RasterConfig) extends Component {
+  val layout = StoreLayout(config)
+  val io = new Bundle {
+    val frame = slave Stream (FrameJob())
+    val store = master(StoreBus(layout))
+    val tile  = master Stream (TilePosition())
+    val job   = master Stream (TileJob(config))
+    val drained = in Bool () // no job is under way
+  }
+
+  object State extends SpinalEnum { val Idle, Tile, Scan, Vertices, Hand, End, Drain = newElement() }
+  val state    = RegInit(State.Idle)
+  val tile     = Reg(TilePosition())
+  val triangle = Reg(UInt(11 bits)) // the next to be asked for
+  val frame    = io.frame.payload
+
+  // A box is asked for every clock; the answer of the clock before is looked at.
+  val looking  = RegInit(False)
+  val box      = io.store.rsp.payload
+  val hit = box(15 +  4 downto 15).asUInt <= tile.tileX && box(10 + 4 downto 10).asUInt >= tile.tileX &&
+    box(5 + 4 downto 5).asUInt <= tile.tileY && box(4 downto 0).asUInt >= tile.tileY
+  val found  = looking && io.store.rsp.valid && hit
+  val job    = Reg(TileJob(config))
+  val asked  = (state === State.Vertices) ? job.triangle.resize(11) | triangle
+  val ended  = triangle === frame.triangleCount
+
+  io.store.cmd.valid := False
+  io.store.cmd.write := False
+  io.store.cmd.data := 0
+  io.store.cmd.address := frame.bank @@
+    (U(layout.triangles, layout.bankAddressBits bits) + (asked << 1) + (state =/= State.Vertices).asUInt).resize(layout.bankAddressBits)
+  io.tile.valid := state === State.Tile
+  io.tile.payload := tile
+  io.job.valid := state === State.Hand || state === State.End
+  io.job.payload := job
+  io.frame.ready := False
+  looking := False
+
+  switch(state) {
+    is(State.Idle) {
+      tile.tileX := frame.x0
+      tile.tileY := frame.y0
+      when(io.frame.valid) { state := State.Tile }
+    }
+    is(State.Tile) {
+      triangle := 0
+      job.tileX := tile.tileX
+      job.tileY := tile.tileY
+      when(io.tile.ready) { state := State.Scan }
+    }
+    is(State.Scan) {
+      when(found) {
+        job.triangle := (triangle - 1).resized
+        job.tileEnd := False
+        job.state := box(31 downto 28).asUInt
+        state := State.Vertices
+      } otherwise {
+        io.store.cmd.valid := !ended
+        when(io.store.cmd.fire) {
+          triangle := triangle + 1
+          looking := True
+        }
+        when(ended && !looking) {
+          job.tileEnd := True
+          state := State.End
+        }
+      }
+    }
+    is(State.Vertices) {
+      io.store.cmd.valid := !looking
+      looking := io.store.cmd.fire
+      when(looking) {
+        for (v <- 0 to 2) job.vertices(v) := box(20 - 10 * v, 10 bits).asUInt
+        state := State.Hand
+      }
+    }
+    is(State.Hand) { when(io.job.ready) { state := State.Scan } }
+    is(State.End) {
+      when(io.job.ready) {
+        tile.tileX := tile.tileX + 1
+        state := State.Tile
+        when(tile.tileX === frame.x1) {
+          tile.tileX := frame.x0
+          tile.tileY := tile.tileY + 1
+          when(tile.tileY === frame.y1) {
+            state := State.Drain
+          }
+        }
+      }
+    }
+    is(State.Drain) {
+      when(io.drained) {
+        io.frame.ready := True
+        state := State.Idle
+      }
+    }
+  }
+}

@@ -1,0 +1,58 @@
+package frustum.model.raster
+
+import frustum.spec._
+import frustum.spec.SetupWords._
+
+/** Takes what the rasterizer makes of a frame, in the hardware's order. */
+trait FragmentSink {
+  def tile(tileX: Int, tileY: Int): Unit
+  /** A covered pixel of the tile; planes as in `frustum.raster.InterpolatedFragment`. */
+  def fragment(
+      triangle: Int, state: RenderState, x: Int, y: Int, s: Int, t: Int, q: Int, z: Int, r: Int, g: Int, b: Int, a: Int
+  ): Unit
+  def tileEnd(tileX: Int, tileY: Int): Unit
+}
+
+/** Bit-exact rasterizer: tiles of the region row by row, in each the triangles in order, in each the spans to and fro. */
+final case class Rasterizer(config: RasterConfig) {
+  def draw(pass: FramePass, sink: FragmentSink): Unit = {
+    val setups = pass.triangles.map { t =>
+      val setup = new TriangleSetup
+      if (setup.setup(pass.vertices(t.v0), pass.vertices(t.v1), pass.vertices(t.v2))) Some(setup) else None
+    }
+    for (tileY <- pass.region.y0 to pass.region.y1; tileX <- pass.region.x0 to pass.region.x1) {
+      sink.tile(tileX, tileY)
+      for (n <- setups.indices; setup <- setups(n)) drawInTile(pass, n, setup, tileX, tileY, sink)
+      sink.tileEnd(tileX, tileY)
+    }
+  }
+
+  private def drawInTile(pass: FramePass, n: Int, setup: TriangleSetup, tileX: Int, tileY: Int, sink: FragmentSink): Unit = {
+    import scala.math.{max, min}
+    val (originX, originY) = (tileX * config.tileWidth, tileY * config.tileHeight)
+    val left   = max(originX, setup.firstX)
+    val right  = min(min(originX + config.tileWidth, config.width) - 1, setup.lastX)
+    val top    = max(originY, setup.firstY)
+    val bottom = min(min(originY + config.tileHeight, config.height) - 1, setup.lastY)
+    if (left <= right && top <= bottom) {
+      setup.edges(left, right, top)
+      val spans = EdgeWalker.spans(left, right, top, bottom, setup.edge, setup.stepX, setup.stepY)
+      if (spans.nonEmpty) {
+        val first = spans.head
+        setup.rebase(first.first, first.y)
+        val state = pass.states(pass.triangles(n).state)
+        for ((span, row) <- spans.zipWithIndex) {
+          val pixels = if (row % 2 == 0) span.first to span.last else span.last to span.first by -1
+          for (x <- pixels) {
+            def plane(p: Int) =
+              setup.initial(p) + (x - first.first) * setup.gradientX(p) + (span.y - first.y) * setup.gradientY(p)
+            sink.fragment(
+              n, state, x - originX, span.y - originY, plane(PlaneS), plane(PlaneT), plane(PlaneQ), plane(PlaneZ),
+              plane(PlaneR).toShort.toInt, plane(PlaneG).toShort.toInt, plane(PlaneB).toShort.toInt, plane(PlaneA).toShort.toInt
+            )
+          }
+        }
+      }
+    }
+  }
+}

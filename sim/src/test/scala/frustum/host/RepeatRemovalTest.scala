@@ -1,0 +1,37 @@
+package frustum.host
+
+import frustum.InputError
+import frustum.host.Fixtures._
+import frustum.spec._
+import org.scalatest.funsuite.AnyFunSuite
+
+class RepeatRemovalTest extends AnyFunSuite {
+  private def offset(wrap: Wrap, w: Seq[Double], s: Seq[Double], t: Seq[Double] = Seq(0, 0, 0)) = {
+    val v = (0 to 2).map(i => clipVertex(0, 0, 0, w(i), s(i), t(i)))
+    RepeatRemoval.offset(ClipTriangle(v, RenderState(wrapS = wrap, wrapT = wrap)))
+  }
+
+  test("coordinates near 0 stay") {
+    assert(offset(Wrap.Repeat, Seq(1, 2, 3), Seq(0, 1.9, 200)) == ((0, 0)))
+  }
+
+  test("the vertex nearest to the eye decides") {
+    assert(offset(Wrap.Repeat, Seq(9, 2, 3), Seq(0, 100.2, 90), Seq(0, -7, 0)) == ((100, -8)))
+    assert(offset(Wrap.Repeat, Seq(1, 2, 3), Seq(1e5, 1e5 + 1, 1e5)) == ((100000, 0)))
+  }
+
+  test("offsets keep the texel: whole repeats, even when mirrored, none when clamped") {
+    for (s <- Seq(3.0, 5.5, 6.0, 1001.0)) {
+      assert(offset(Wrap.Mirror, Seq(1, 1, 1), Seq(s, s, s))._1 % 2 == 0)
+      assert((s - offset(Wrap.Repeat, Seq(1, 1, 1), Seq(s, s, s))._1).abs <= RepeatRemoval.Step / 2)
+    }
+    assert(offset(Wrap.Clamp, Seq(1, 1, 1), Seq(200, 201, 202)) == ((0, 0)))
+  }
+
+  test("what still exceeds the format is refused with the numbers") {
+    val error = intercept[InputError](offset(Wrap.Repeat, Seq(1, 2, 3), Seq(0, 300, 5)))
+    assert(error.message.contains("from 0.0 to 300.0 repeats") && error.message.contains("at most 256"))
+    intercept[InputError](offset(Wrap.Clamp, Seq(1, 2, 3), Seq(1000, 1001, 1002)))
+    intercept[InputError](offset(Wrap.Repeat, Seq(1, 2, 3), Seq(0, 0, 0), Seq(1e300, 0, 0)))
+  }
+}

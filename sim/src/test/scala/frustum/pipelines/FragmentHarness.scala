@@ -1,0 +1,33 @@
+package frustum.pipelines
+
+import frustum.blackbox.Tech
+import frustum.frame.{FrameStart, ResolvedPixel, TilePosition}
+import frustum.raster.{InterpolatedFragment, RenderStateWord}
+import frustum.spec.RasterConfig
+import frustum.texture.TexelWrite
+import spinal.core._
+import spinal.lib._
+
+/** The fragment pipeline as its sender uses it: `begin` starts a frame, and fragments follow when that was taken. */
+class FragmentHarness(config: RasterConfig) extends Component {
+  val io = new Bundle {
+    val up         = slave(Stream(InterpolatedFragment(config)))
+    val state      = in(RenderStateWord())
+    val clearColor = in Bits (16 bits)
+    val begin      = in Bool ()
+    val tile       = slave(Stream(TilePosition()))
+    val texels     = slave(Stream(TexelWrite()))
+    val pixels     = master(Stream(ResolvedPixel(config)))
+    val busy       = out Bool ()
+  }
+  val pipeline = FragmentPipeline(config, Tech.Generic)
+  val started  = RegInit(False) setWhen pipeline.io.start.fire
+  pipeline.io.start.valid      := io.begin && !started
+  pipeline.io.start.clearColor := io.clearColor
+  pipeline.io.up     << io.up.haltWhen(!started)
+  pipeline.io.state  := io.state
+  pipeline.io.tile   << io.tile
+  pipeline.io.texels << io.texels
+  io.pixels << pipeline.io.pixels
+  io.busy   := pipeline.io.busy
+}

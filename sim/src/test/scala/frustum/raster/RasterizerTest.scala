@@ -1,0 +1,151 @@
+package frustum.raster
+
+import frustum.blackbox.Tech
+import frustum.harness.FrustumSim
+import frustum.link.{FrameJob, StoreBus}
+import frustum.model
+import frustum.spec._
+import org.scalatest.funsuite.AnyFunSuite
+import spinal.core._
+import spinal.core.sim._
+import spinal.lib._
+import spinal.lib.sim._
+
+import scala.collection.mutable.ArrayBuffer
+import scala.util.Random
+
+/** A rasterizer with a store of its own whose three clients never wait for one another, or now and then for nothing. */
+case class RasterizerBench(config: RasterConfig, slots: Int) extends Component {
+  val layout = StoreLayout(config)
+  val io = new Bundle {
+    val frame = slave Stream (FrameJob())
+    val tile  = master Stream (TilePosition())
+    val state = out(RenderStateWord())
+    val down  = master Stream (InterpolatedFragment(config))
+    val stall = in Bits (3 bits)
+    val setUp, moved = out Bool ()
+  }
+  val unit  = Rasterizer(config, slots, Tech.Generic)
+  val store = Mem(Bits(32 bits), 1 << layout.addressBits).simPublic()
+  io.frame >> unit.io.frame
+  unit.io.tile >> io.tile
+  unit.io.down >> io.down
+  io.state := unit.io.state
+  io.setUp := unit.io.setUp
+  io.moved := unit.io.moved
+  unit.io.draining := io.down.valid
+  for ((bus, n) <- unit.io.stores.zipWithIndex) {
+    bus.cmd.ready := !io.stall(n)
+    bus.rsp.valid := RegNext(bus.cmd.fire, False)
+    bus.rsp.payload := store.readSync(bus.cmd.address)
+  }
+}
+
+class RasterizerTest extends AnyFunSuite {
+
+  /** Words of a bank of the store, as the decoder lays them down. */
+  private def image(pass: FramePass, config: RasterConfig): Map[Int, BigInt] = {
+    val layout = StoreLayout(config)
+    def word(parts: (Int, Int)*) = parts.foldLeft(BigInt(0)) { case (w, (v, bits)) => (w << bits) | (v & ((1L << bits) - 1)) }
+    val vertices = for {
+      (v, i) <- pass.vertices.zipWithIndex
+      (w, k) <- Seq(
+        word(v.x -> 16, v.y -> 16), word(v.z -> 16, v.qMantissa -> 16), word(v.qExponent -> 5, 0 -> 2, v.s -> 25),
+        word((pass.frame % 128) -> 7, v.t -> 25), word(v.r -> 8, v.g -> 8, v.b -> 8, v.a -> 8)
+      ).zipWithIndex
+    } yield layout.vertexWords * i + k -> w
+    val triangles = for ((t, i) <- pass.triangles.zipWithIndex) yield {
+      val v = Seq(t.v0, t.v1, t.v2).map(pass.vertices)
+      def tiles(at: PackedVertex => Int, size: Int, log2: Int) = {
+        val (first, last) = ((v.map(at).min - 8 + 15) >> 4, (v.map(at).max - 8) >> 4)
+        (scala.math.max(first, 0) >> log2, scala.math.min(last, size - 1) >> log2, first > last || last < 0 || first >= size)
+      }
+      val (x0, x1, noX) = tiles(_.x, config.width, config.tileLog2Width)
+      val (y0, y1, noY) = tiles(_.y, config.height, config.tileLog2Height)
+      val box = if (noX || noY) Seq(31, 0, 31, 0) else Seq(x0, x1, y0, y1)
+      Seq(
+        layout.triangles + 2 * i -> word(0 -> 2, t.v0 -> 10, t.v1 -> 10, t.v2 -> 10),
+        layout.triangles + 2 * i + 1 -> word((t.state -> 4) +: (0 -> 8) +: box.map(_ -> 5): _*)
+      )
+    }
+    val states = for ((s, i) <- pass.states.zipWithIndex) yield layout.states + i -> word(s.words(1) -> 16, s.words(0) -> 16)
+    (vertices ++ triangles.flatten ++ states).toMap
+  }
+
+  private def check(config: RasterConfig, slots: Int, passes: Seq[FramePass], stalls: Seq[Double], seed: Int): Unit = {
+    val expected = ArrayBuffer.empty[String]
+    passes.foreach { pass =>
+      model.raster.Rasterizer(config).draw(pass, new model.raster.FragmentSink {
+        def tile(x: Int, y: Int): Unit = ()
+        def fragment(n: Int, st: RenderState, x: Int, y: Int, s: Int, t: Int, q: Int, z: Int, r: Int, g: Int, b: Int, a: Int): Unit =
+          expected += Seq(st.words(1), st.words(0), x, y, s, t, q, z, r, g, b, a).mkString(" ")
+        def tileEnd(x: Int, y: Int): Unit = expected += "end"
+      })
+    }
+    FrustumSim.compile(s"RasterizerBench_${config.width}x${config.height}_$slots")(RasterizerBench(config, slots)).doSim(seed) { dut =>
+      for (rate <- stalls) {
+        val got = ArrayBuffer.empty[String]
+        var clocks = 0
+        dut.clockDomain.onSamplings { clocks += 1 }
+        dut.io.frame.valid #= false
+        dut.io.stall #= 0
+        StreamReadyRandomizer(dut.io.down, dut.clockDomain).setFactor((2 - rate).toFloat)
+        StreamReadyRandomizer(dut.io.tile, dut.clockDomain)
+        StreamMonitor(dut.io.down, dut.clockDomain) { f =>
+          got += (if (f.tileEnd.toBoolean) "end"
+                  else {
+                    val bits = dut.io.state.asInstanceOf[Data].flatten.reverse.foldLeft(BigInt(0)) { (w, d) =>
+                      val width = d.getBitsWidth
+                      val value = d match { case b: Bool => BigInt(if (b.toBoolean) 1 else 0); case v: BitVector => v.toBigInt }
+                      (w << width) | value
+                    }
+                    (Seq((bits >> 16).toInt, (bits & 0xffff).toInt) ++ Seq(f.x, f.y).map(_.toInt) ++
+                      Seq(f.s, f.t, f.q, f.z, f.r, f.g, f.b, f.a).map(_.toInt)).mkString(" ")
+                  })
+        }
+        dut.clockDomain.forkStimulus(10)
+        SimTimeout(20000000)
+        if (rate > 0) dut.clockDomain.onSamplings { dut.io.stall #= (0 until 3).map(n => if (simRandom.nextDouble() < rate) 1 << n else 0).sum }
+        passes.zipWithIndex.foreach { case (pass, n) =>
+          image(pass, config).foreach { case (at, w) => dut.store.setBigInt(((n & 1) << (StoreLayout(config).addressBits - 1)) + at, w) }
+          dut.clockDomain.waitSampling()
+          val f = dut.io.frame
+          f.bank #= n & 1
+          f.triangleCount #= pass.triangles.length
+          f.clearColor #= 0
+          f.x0 #= pass.region.x0; f.x1 #= pass.region.x1; f.y0 #= pass.region.y0; f.y1 #= pass.region.y1
+          f.valid #= true
+          dut.clockDomain.waitSamplingWhere(f.ready.toBoolean)
+          f.valid #= false
+        }
+        dut.clockDomain.waitSampling(100)
+        info(s"$clocks clocks, ${got.length} fragments and tile ends")
+        val wrong = got.indices.find(i => i >= expected.length || got(i) != expected(i))
+        wrong.foreach(i => fail(s"seed $seed stalls $rate fragment $i: got ${got(i)}, should be ${expected.lift(i)}"))
+        assert(got.length == expected.length, s"seed $seed stalls $rate")
+      }
+    }
+  }
+
+  private def randomPass(r: Random, config: RasterConfig, frame: Int, count: Int): FramePass = {
+    val vertices = IndexedSeq.fill(3 * count)(0).indices.map { i =>
+      val span = 1 << r.between(4, 13)
+      val (cx, cy) = (r.nextInt(config.width * 16), r.nextInt(config.height * 16))
+      def clip(v: Int) = scala.math.max(-PackedVertex.MaxXy, scala.math.min(PackedVertex.MaxXy, v))
+      PackedVertex(
+        clip(cx + r.between(-span, span)), clip(cy + r.between(-span, span)), r.nextInt(65536), r.between(32768, 65536), r.between(10, 20),
+        r.between(-PackedVertex.MaxSt, PackedVertex.MaxSt + 1), r.between(-PackedVertex.MaxSt, PackedVertex.MaxSt + 1),
+        r.nextInt(256), r.nextInt(256), r.nextInt(256), r.nextInt(256)
+      )
+    }
+    val states = IndexedSeq(RenderState(), RenderState(blend = true, alphaRef = 3))
+    FramePass(frame, 0, TileRegion.whole(config), states, vertices, IndexedSeq.tabulate(count)(i => PackedTriangle(r.nextInt(2), 3 * i, 3 * i + 1, 3 * i + 2)))
+  }
+
+  test("fragments equal the model's") {
+    val config = RasterConfig(width = 72, height = 40)
+    val seed   = 7
+    val r      = new Random(seed)
+    check(config, 4, Seq(randomPass(r, config, 0, 12), randomPass(r, config, 1, 30)), Seq(0.0, 0.4), seed)
+  }
+}

@@ -1,0 +1,82 @@
+package frustum.raster
+
+import frustum.model.raster.{EdgeWalker, TriangleSetup}
+import frustum.spec._
+import frustum.spec.SetupWords._
+import org.scalatest.funsuite.AnyFunSuite
+
+import scala.util.Random
+
+/** The set-up's planes against float64, at every covered pixel of 32 x 16 windows. */
+class TriangleSetupAccuracyTest extends AnyFunSuite {
+  private val seed = 1
+
+  private def q(v: PackedVertex) = v.qMantissa * scala.math.pow(2, v.qExponent)
+
+  /** Largest error of each plane in units of its last place, over the pixels that the triangle covers. */
+  private def errors(v: IndexedSeq[PackedVertex]): Option[IndexedSeq[Double]] = {
+    val setup = new TriangleSetup
+    if (!setup.setup(v(0), v(1), v(2))) None
+    else {
+      val largest = v.map(_.qExponent).max
+      val qs      = v.map(p => p.qMantissa * scala.math.pow(2, 15 - (largest - p.qExponent)))
+      def plane(p: Int)(k: Int): Double = p match {
+        case PlaneS => v(k).s / 65536.0 * qs(k) / 256
+        case PlaneT => v(k).t / 65536.0 * qs(k) / 256
+        case PlaneQ => qs(k)
+        case PlaneZ => v(k).z * 32768.0
+        case PlaneR => v(k).r * 128.0
+        case PlaneG => v(k).g * 128.0
+        case PlaneB => v(k).b * 128.0
+        case PlaneA => v(k).a * 128.0
+      }
+      val area = (v(1).x - v(0).x).toDouble * (v(2).y - v(0).y) - (v(2).x - v(0).x).toDouble * (v(1).y - v(0).y)
+      val worst = Array.fill(Planes)(0.0)
+      for {
+        tileY <- scala.math.max(0, setup.firstY) / 16 to scala.math.min(319, setup.lastY) / 16
+        tileX <- scala.math.max(0, setup.firstX) / 32 to scala.math.min(239, setup.lastX) / 32
+      } {
+        val (left, top) = (scala.math.max(tileX * 32, setup.firstX), scala.math.max(tileY * 16, setup.firstY))
+        val (right, bottom) = (scala.math.min(tileX * 32 + 31, setup.lastX), scala.math.min(tileY * 16 + 15, setup.lastY))
+        if (left <= right && top <= bottom) {
+          setup.edges(left, right, top)
+          val spans = EdgeWalker.spans(left, right, top, bottom, setup.edge, setup.stepX, setup.stepY)
+          spans.headOption.foreach { first =>
+            setup.rebase(first.first, first.y)
+            for (span <- spans; x <- span.first to span.last; p <- 0 until Planes) {
+              val (px, py) = (16 * x + 8 - v(0).x, 16 * span.y + 8 - v(0).y)
+              val l1 = ((v(2).y - v(0).y).toDouble * px - (v(2).x - v(0).x).toDouble * py) / area
+              val l2 = ((v(1).x - v(0).x).toDouble * py - (v(1).y - v(0).y).toDouble * px) / area
+              assert(l1 >= 0 && l2 >= 0 && l1 + l2 <= 1 + 1e-12, s"$v covers ($x, ${span.y})")
+              val exact = plane(p)(0) * (1 - l1 - l2) + plane(p)(1) * l1 + plane(p)(2) * l2
+              val got   = setup.initial(p) + (x - first.first) * setup.gradientX(p) + (span.y - first.y) * setup.gradientY(p)
+              val value = if (p >= PlaneR) got.toShort.toDouble else got.toDouble
+              worst(p) = scala.math.max(worst(p), (value - exact).abs)
+            }
+          }
+        }
+      }
+      Some(worst.toIndexedSeq)
+    }
+  }
+
+  private def vertex(r: Random, spread: Int): PackedVertex = PackedVertex(
+    x = r.between(-200, 240 * 16 + 200), y = r.between(-200, 320 * 16 + 200), z = r.nextInt(65536),
+    qMantissa = r.between(32768, 65536), qExponent = 20 - r.nextInt(spread),
+    s = r.between(-4 << 16, 4 << 16), t = r.between(-4 << 16, 4 << 16), r.nextInt(256), r.nextInt(256), r.nextInt(256), r.nextInt(256)
+  )
+
+  test("planes of random triangles") {
+    val r = new Random(seed)
+    val found = Iterator.continually {
+      val a = vertex(r, 8)
+      val size = 1 << r.between(3, 12)
+      def near(v: PackedVertex) = v.copy(x = a.x + r.between(-size, size + 1), y = a.y + r.between(-size, size + 1))
+      errors(IndexedSeq(a, near(vertex(r, 8)), near(vertex(r, 8))))
+    }.flatten.take(2000).toSeq
+    val worst = (0 until Planes).map(p => found.map(_(p)).max)
+    val mean = (0 until Planes).map(p => found.map(_(p)).sum / found.size)
+    info(worst.map(w => f"$w%.1f").mkString("worst ", " ", "") + mean.map(w => f"$w%.1f").mkString(" mean ", " ", ""))
+    assert(worst.forall(_ < 4096), s"seed $seed")
+  }
+}
