@@ -1,5 +1,6 @@
 package frustum.link
 
+import frustum.texture.TexelWrite
 import frustum.spec.Command
 import frustum.spec.PackedVertex
 import frustum.spec.RasterConfig
@@ -308,10 +309,4 @@ case class CommandDecoder(config: RasterConfig) extends Component {
     region(1) := word(12 downto 8).asUInt
     region(0) := word(4 downto 0).asUInt
   }
-}
-
-/** A texel for texel memory, `address` in texels. */
-case class TexelWrite() extends Bundle {
-  val address = UInt(15 bits)
-  val data    = Bits(16 bits)
 }

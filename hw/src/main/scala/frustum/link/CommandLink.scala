@@ -2,6 +2,7 @@ package frustum.link
 
 import frustum.spec.RasterConfig
 import frustum.spec.StoreLayout
+import frustum.texture.TexelWrite
 import spinal.core._
 import spinal.lib._
 

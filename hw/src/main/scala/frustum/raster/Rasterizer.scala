@@ -1,6 +1,7 @@
 package frustum.raster
 
 import frustum.blackbox.Tech
+import frustum.frame.TilePosition
 import frustum.link.{FrameJob, StoreBus}
 import frustum.spec.{RasterConfig, StoreLayout}
 import spinal.core._

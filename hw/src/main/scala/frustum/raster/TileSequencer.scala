@@ -1,14 +1,10 @@
 package frustum.raster
 
+import frustum.frame.TilePosition
 import frustum.link.{FrameJob, StoreBus}
 import frustum.spec.{RasterConfig, StoreLayout}
 import spinal.core._
 import spinal.lib._
-
-/** Position of a tile, in tiles. */
-case class TilePosition() extends Bundle {
-  val tileX, tileY = UInt(5 bits)
-}
 
 /** Walks a frame's tiles row by row and, for each, all triangles in order: a triangle whose box misses the tile costs one
   * clock. Runs ahead of the set-up by one triangle.

@@ -1,6 +1,7 @@
 package frustum.engine
 
 import frustum.InputError
+import frustum.model.pipelines.RasterModel
 import frustum.spec.RasterConfig
 
 /** An engine by name.
@@ -16,11 +17,12 @@ object Engines {
   val names: Seq[String] = Seq("hardware", "pipeline", "model", "reference")
 
   val table: Seq[EngineEntry] = Seq(
+    EngineEntry("model", simulated = false, _ => new PassEngine(new RasterModel(_))),
     EngineEntry("reference", simulated = false, _ => new PassEngine(new ReferenceRenderer(_)))
   )
 
-  /** The bit-exact model, which tells its fragments; None while there is none. */
-  val model: Option[RasterConfig => PassRenderer] = None
+  /** The bit-exact model, which tells its fragments. */
+  val model: Option[RasterConfig => PassRenderer] = Some(new RasterModel(_))
 
   def byName(name: String): EngineEntry = table.find(_.name == name).getOrElse(
     throw InputError(s"--engine: $name is not built yet; use one of ${table.map(_.name).mkString(", ")}")

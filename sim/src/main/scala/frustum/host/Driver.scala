@@ -5,33 +5,44 @@ import frustum.spec._
 import org.joml.{Matrix4d, Vector4d}
 import scala.collection.mutable
 
-/** From a scene to what the hardware draws: matrices, light, clipping, culling, packing, passes, wire commands.
+/** From a scene to what the hardware draws: matrices, light, clipping, culling, packing, passes, wire
+  * commands.
   *
   * {{{
   *   val scene    = Scenes.byName("teapot")
   *   val options  = DrawOptions(light = None, cullBack = false, Wrap.Repeat, background = 0x000000)
   *   val prepared = Driver.prepare(scene, scene.camera, options, RasterConfig(), frame = 0)
-  *   (prepared.textures.flatMap(Driver.commands) ++ prepared.passes.flatMap(Driver.commands)).foreach(transport.send)
+  *   prepared.textures.flatMap(Driver.commands).foreach(transport.send)
+  *   prepared.passes.flatMap(Driver.commands).foreach(transport.send)
   * }}}
   */
 object Driver {
 
-  /** Everything a frame needs. Opaque triangles keep the scene's order, blended ones follow from back to front by the
-    * depth of their centroid. Triangles without area, wholly outside, or away from the viewer (`cullBack`) are dropped;
-    * where both sides are drawn two vertices change places, because the hardware draws one direction only.
+  /** Everything a frame needs. Opaque triangles keep the scene's order, blended ones follow from back to
+    * front by the depth of their centroid. Triangles without area, wholly outside, or away from the viewer
+    * (`cullBack`) are dropped; where both sides are drawn two vertices change places, because the hardware
+    * draws one direction only.
     *
     * Pass i of n in frame f has the number f n + i, so that successive passes never share one.
     *
-    * InputError for what cannot be drawn: camera, textures, number of states, depth range, repeats, full store.
+    * InputError for what cannot be drawn: camera, light, textures, number of states, depth range,
+    * repeats, full store.
     */
-  def prepare(scene: Scene, camera: Camera, options: DrawOptions, config: RasterConfig, frame: Int): PreparedFrame = {
+  def prepare(
+      scene: Scene,
+      camera: Camera,
+      options: DrawOptions,
+      config: RasterConfig,
+      frame: Int
+  ): PreparedFrame = {
+    options.light.foreach(Lambert.check)
     val textures = TextureMemory.allocate(scene, config)
-    val states   = StateTable(scene, textures, options)
-    val clipped  = clipTriangles(scene, camera, options, config, states)
-    val scaled   = scaleW(clipped)
+    val states = StateTable(scene, textures, options)
+    val clipped = clipTriangles(scene, camera, options, config, states)
+    val scaled = scaleW(clipped)
     val viewport = new Viewport(config)
-    val drawn    = scaled.flatMap(t => place(t, states.states.indexOf(t.state), options.cullBack, viewport))
-    val regions  = new PassSplitter(config).split(drawn.map(_._2))
+    val drawn = scaled.flatMap(t => place(t, states.states.indexOf(t.state), options.cullBack, viewport))
+    val regions = new PassSplitter(config).split(drawn.map(_._2))
     val passes = regions.zipWithIndex.map { case ((region, triangles), i) =>
       val (vertices, indexed) = share(triangles)
       val number = (frame * regions.length + i) & 0xffff
@@ -47,20 +58,26 @@ object Driver {
   def commands(upload: TextureUpload): Seq[Seq[Int]] = CommandEncoder.upload(upload)
 
   private def clipTriangles(
-      scene: Scene, camera: Camera, options: DrawOptions, config: RasterConfig, states: StateTable
+      scene: Scene,
+      camera: Camera,
+      options: DrawOptions,
+      config: RasterConfig,
+      states: StateTable
   ): IndexedSeq[ClipTriangle] = {
     val centre = scene.boundingSphere._1
-    val turn = new Matrix4d().translate(centre).rotateY(scala.math.toRadians(options.turnDegrees))
+    val turn = new Matrix4d()
+      .translate(centre)
+      .rotateY(scala.math.toRadians(options.turnDegrees))
       .translate(-centre.x, -centre.y, -centre.z)
-    val toClip  = Projection(camera, config.width.toDouble / config.height).mul(turn)
-    val shader  = new VertexShader(toClip, turn, options.light)
+    val toClip = Projection(camera, config.width.toDouble / config.height).mul(turn)
+    val shader = new VertexShader(toClip, turn, options.light)
     val clipper = new Clipper(config)
     val shaded = scene.triangles.map { t =>
       val material = scene.materials(t.material)
       (material.blend, ClipTriangle(t.vertices.map(shader(_, material)).toIndexedSeq, states(t.material)))
     }
     val (blended, opaque) = shaded.partition(_._1)
-    val backToFront       = blended.map(_._2).sortBy(t => -depth(t, camera))
+    val backToFront = blended.map(_._2).sortBy(t => -depth(t, camera))
     (opaque.map(_._2) ++ backToFront).flatMap { t =>
       val polygon = clipper.clip(t.v)
       (1 until polygon.length - 1).map(i => t.copy(v = IndexedSeq(polygon(0), polygon(i), polygon(i + 1))))
@@ -80,7 +97,10 @@ object Driver {
 
   /** Snaps a triangle to the screen and turns it clockwise; None when it is not to be drawn. */
   private def place(
-      triangle: ClipTriangle, state: Int, cullBack: Boolean, viewport: Viewport
+      triangle: ClipTriangle,
+      state: Int,
+      cullBack: Boolean,
+      viewport: Viewport
   ): Option[(ClipTriangle, PackedCorners)] = {
     // without a texture the coordinates mean nothing: zero lets vertices be shared
     val plain = triangle.state.texture.isEmpty
@@ -93,13 +113,17 @@ object Driver {
       if area > 0 || (area < 0 && !cullBack)
     } yield {
       val p = corners(turned, RepeatRemoval.offset(turned))
-      p.flatMap(_.fault).headOption.foreach(fault => throw new IllegalStateException(s"driver: a vertex's $fault"))
+      p.flatMap(_.fault)
+        .headOption
+        .foreach(fault => throw new IllegalStateException(s"driver: a vertex's $fault"))
       (turned, PackedCorners(state, p(0), p(1), p(2), pixels))
     }
   }
 
   /** Gives every distinct vertex an index, in the order of first use. */
-  private def share(triangles: IndexedSeq[PackedCorners]): (IndexedSeq[PackedVertex], IndexedSeq[PackedTriangle]) = {
+  private def share(
+      triangles: IndexedSeq[PackedCorners]
+  ): (IndexedSeq[PackedVertex], IndexedSeq[PackedTriangle]) = {
     val index = mutable.LinkedHashMap.empty[PackedVertex, Int]
     def of(v: PackedVertex) = index.getOrElseUpdate(v, index.size)
     val indexed = triangles.map(t => PackedTriangle(t.state, of(t.v0), of(t.v1), of(t.v2)))

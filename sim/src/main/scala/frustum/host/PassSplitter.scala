@@ -4,32 +4,43 @@ import frustum.InputError
 import frustum.spec.{PackedVertex, RasterConfig, TileRegion}
 
 /** A triangle ready to be stored. */
-final case class PackedCorners(state: Int, v0: PackedVertex, v1: PackedVertex, v2: PackedVertex, pixels: PixelBox) {
+final case class PackedCorners(
+    state: Int,
+    v0: PackedVertex,
+    v1: PackedVertex,
+    v2: PackedVertex,
+    pixels: PixelBox
+) {
   def vertices: Seq[PackedVertex] = Seq(v0, v1, v2)
 }
 
 /** Divides a frame into regions of tiles whose triangles and vertices fit the hardware's store. */
 final class PassSplitter(config: RasterConfig) {
 
-  /** Regions, disjoint and together the whole screen, each with the triangles that touch it in their order. Bands of
-    * tile rows first, then columns; InputError when the triangles of one tile are too many.
+  /** Regions, disjoint and together the whole screen, each with the triangles that touch it in their order.
+    * Bands of tile rows first, then columns; InputError when the triangles of one tile are too many.
     */
   def split(triangles: IndexedSeq[PackedCorners]): Seq[(TileRegion, IndexedSeq[PackedCorners])] =
     split(TileRegion.whole(config), triangles)
 
-  private def split(region: TileRegion, all: IndexedSeq[PackedCorners]): Seq[(TileRegion, IndexedSeq[PackedCorners])] = {
-    val here     = all.filter(touches(region, _))
+  private def split(
+      region: TileRegion,
+      all: IndexedSeq[PackedCorners]
+  ): Seq[(TileRegion, IndexedSeq[PackedCorners])] = {
+    val here = all.filter(touches(region, _))
     val vertices = here.iterator.flatMap(_.vertices).toSet.size
     if (here.length <= config.maxTriangles && vertices <= config.maxVertices) Seq(region -> here)
-    else halves(region) match {
-      case Some((first, second)) => split(first, here) ++ split(second, here)
-      case None =>
-        throw InputError(
-          s"${here.length} triangles with $vertices vertices in the tile at pixel (${region.x0 * config.tileWidth}, " +
-            s"${region.y0 * config.tileHeight}); the store holds ${config.maxTriangles} triangles and " +
-            s"${config.maxVertices} vertices: draw a simpler mesh or come closer"
-        )
-    }
+    else
+      halves(region) match {
+        case Some((first, second)) => split(first, here) ++ split(second, here)
+        case None                  =>
+          throw InputError(
+            s"${here.length} triangles with $vertices vertices in the tile at pixel " +
+              s"(${region.x0 * config.tileWidth}, ${region.y0 * config.tileHeight}); " +
+              s"the store holds ${config.maxTriangles} triangles and " +
+              s"${config.maxVertices} vertices: draw a simpler mesh or come closer"
+          )
+      }
   }
 
   private def touches(r: TileRegion, t: PackedCorners): Boolean = {

@@ -5,11 +5,16 @@ import org.joml.{Vector3d, Vector4d}
 
 /** How a scene is to be drawn.
   *
-  * @param light       direction towards the light, world space; None: texture and vertex colour alone
-  * @param cullBack    drop triangles that are clockwise on the screen
-  * @param wrap        for both texture coordinates
-  * @param background  0xRRGGBB
-  * @param turnDegrees the model is turned about +y through the centre of its bounding sphere; the light is not
+  * @param light
+  *   direction towards the light, world space; None: texture and vertex colour alone
+  * @param cullBack
+  *   drop triangles that are clockwise on the screen
+  * @param wrap
+  *   for both texture coordinates
+  * @param background
+  *   0xRRGGBB
+  * @param turnDegrees
+  *   the model is turned about +y through the centre of its bounding sphere; the light is not
   */
 final case class DrawOptions(
     light: Option[Vector3d],
@@ -27,11 +32,16 @@ final case class ClipTriangle(v: IndexedSeq[ClipVertex], state: RenderState)
 
 /** A frame ready for any engine.
   *
-  * @param textures       to be sent once, before the first pass
-  * @param passes         to be sent in order; their regions are disjoint and cover the screen
-  * @param clipTriangles  the drawn triangles, unquantised, in drawing order
-  * @param sceneTriangles triangles of the scene, before clipping
-  * @param trianglesDrawn triangles after clipping and culling, each counted once however many passes draw it
+  * @param textures
+  *   to be sent once, before the first pass
+  * @param passes
+  *   to be sent in order; their regions are disjoint and cover the screen
+  * @param clipTriangles
+  *   the drawn triangles, unquantised, in drawing order
+  * @param sceneTriangles
+  *   triangles of the scene, before clipping
+  * @param trianglesDrawn
+  *   triangles after clipping and culling, each counted once however many passes draw it
   */
 final case class PreparedFrame(
     config: RasterConfig,

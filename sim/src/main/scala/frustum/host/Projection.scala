@@ -12,8 +12,10 @@ object Projection {
     check(camera)
     val projection = new Matrix4d
     camera.orthoHeight match {
-      case Some(h) => projection.ortho(-h / 2 * aspect, h / 2 * aspect, -h / 2, h / 2, camera.near, camera.far)
-      case None => projection.perspective(scala.math.toRadians(camera.fovDegrees), aspect, camera.near, camera.far)
+      case Some(h) =>
+        projection.ortho(-h / 2 * aspect, h / 2 * aspect, -h / 2, h / 2, camera.near, camera.far)
+      case None =>
+        projection.perspective(scala.math.toRadians(camera.fovDegrees), aspect, camera.near, camera.far)
     }
     projection.lookAt(camera.eye, camera.at, camera.up)
   }
@@ -29,10 +31,13 @@ object Projection {
       new Vector3d(forward).normalize.cross(new Vector3d(c.up).normalize).length < 1e-6 || c.up.length == 0,
       s"camera: up ${show(c.up)} lies along the line of sight; choose another up"
     )
-    refuse(!(c.near.isFinite && c.far.isFinite && c.near < c.far), s"camera: near ${c.near} must be less than far ${c.far}")
+    refuse(
+      !(c.near.isFinite && c.far.isFinite && c.near < c.far),
+      s"camera: near ${c.near} must be less than far ${c.far}"
+    )
     c.orthoHeight match {
       case Some(h) => refuse(!(h > 0 && h.isFinite), s"camera: orthographic height $h must be positive")
-      case None =>
+      case None    =>
         refuse(c.near <= 0, s"camera: near ${c.near} must be positive in a perspective view")
         refuse(
           !(c.fovDegrees > 0 && c.fovDegrees < 180),

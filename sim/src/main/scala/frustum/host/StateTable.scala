@@ -13,20 +13,22 @@ object StateTable {
 
   /** InputError when the scene needs more than [[RenderState.Count]] states. */
   def apply(scene: Scene, textures: TextureMemory, options: DrawOptions): StateTable = {
-    val used   = scene.triangles.iterator.map(_.material).toSet
-    val each   = scene.materials.indices.map { i =>
+    val used = scene.triangles.iterator.map(_.material).toSet
+    val each = scene.materials.indices.map { i =>
       if (used(i)) state(scene.materials(i), textures, options) else RenderState()
     }
     val states = scene.materials.indices.filter(used).map(each).distinct
     if (states.length > RenderState.Count)
       throw InputError(
-        s"${scene.name}: the materials need ${states.length} render states, the hardware holds ${RenderState.Count}; " +
-          "let materials share textures and blending"
+        s"${scene.name}: the materials need ${states.length} render states, " +
+          s"the hardware holds ${RenderState.Count}; let materials share textures and blending"
       )
     StateTable(states, each.map(states.indexOf(_)))
   }
 
-  /** What is blended does not write depth: whatever lies behind has been drawn already, and panes may intersect. */
+  /** What is blended does not write depth: whatever lies behind has been drawn already, and panes may
+    * intersect.
+    */
   private def state(m: Material, textures: TextureMemory, options: DrawOptions): RenderState = {
     // Replace would hide the light, which is in the vertex colour
     val combine = if (m.combine == Combine.Replace && options.light.isDefined) Combine.Modulate else m.combine

@@ -12,30 +12,36 @@ object TextureMemory {
   /** Texels between the addresses a texture may start at. */
   val Unit = 64
 
-  /** One texture after the other, in the order of the materials that triangles use; InputError naming the sizes when
-    * they do not fit.
+  /** One texture after the other, in the order of the materials that triangles use; InputError naming the
+    * sizes when they do not fit.
     */
   def allocate(scene: Scene, config: RasterConfig): TextureMemory = {
-    val used   = scene.triangles.iterator.map(_.material).toSet
-    val images = scene.materials.indices.filter(used).flatMap(i => scene.materials(i).texture.map(scene.materials(i).name -> _))
+    val used = scene.triangles.iterator.map(_.material).toSet
+    val images = scene.materials.indices
+      .filter(used)
+      .flatMap(i => scene.materials(i).texture.map(scene.materials(i).name -> _))
     for ((material, image) <- images) TextureImage.fault(image.width, image.height).foreach { fault =>
       throw InputError(s"${scene.name}: the texture of material '$material' $fault")
     }
     val distinct = images.map(_._2).distinct
-    val total    = distinct.map(i => i.width * i.height).sum
+    val total = distinct.map(i => i.width * i.height).sum
     if (total > config.textureTexels)
       throw InputError(
-        s"${scene.name}: textures of ${distinct.map(i => s"${i.width} x ${i.height}").mkString(", ")} need $total texels, " +
-          s"the memory has ${config.textureTexels}; use smaller or fewer textures"
+        s"${scene.name}: textures of " + distinct.map(i => s"${i.width} x ${i.height}").mkString(", ") +
+          s" need $total texels, the memory has ${config.textureTexels}; use smaller or fewer textures"
       )
     val bases = distinct.scanLeft(0)((base, image) => base + image.width * image.height / Unit)
     val references = distinct.zip(bases).map { case (image, base) =>
       image -> TextureRef(base, log2(image.width), log2(image.height), format(image))
     }
-    TextureMemory(references.toMap, references.map { case (image, ref) => TextureUpload(ref.base, texels(image)) })
+    TextureMemory(
+      references.toMap,
+      references.map { case (image, ref) => TextureUpload(ref.base, texels(image)) }
+    )
   }
 
-  def format(image: TextureImage): TexelFormat = if (image.hasAlpha) TexelFormat.Rgba4444 else TexelFormat.Rgb565
+  def format(image: TextureImage): TexelFormat =
+    if (image.hasAlpha) TexelFormat.Rgba4444 else TexelFormat.Rgb565
 
   /** The texels as the memory holds them: bottom row first, so that row = floor(t * height). */
   def texels(image: TextureImage): IndexedSeq[Int] = {

@@ -4,8 +4,8 @@ import frustum.spec.{PackedVertex, RasterConfig}
 import org.joml.Vector4d
 import scala.math.round
 
-/** Clip space to the fixed point of [[frustum.spec.PackedVertex]]: y down, 1/16 pixel, depth 0 near to 65535 far,
-  * everything rounded to nearest.
+/** Clip space to the fixed point of [[frustum.spec.PackedVertex]]: y down, 1/16 pixel, depth 0 near to 65535
+  * far, everything rounded to nearest.
   */
 final class Viewport(config: RasterConfig) {
 
@@ -27,12 +27,14 @@ final class Viewport(config: RasterConfig) {
     )
   }
 
-  /** Twice the area of a triangle in 1/256 square pixels, exact; positive when it turns clockwise on the screen. */
+  /** Twice the area of a triangle in 1/256 square pixels, exact; positive when it turns clockwise on the
+    * screen.
+    */
   def area(a: PackedVertex, b: PackedVertex, c: PackedVertex): Long =
     (b.x - a.x).toLong * (c.y - a.y) - (b.y - a.y).toLong * (c.x - a.x)
 
-  /** Columns and rows of the screen's pixels whose centres lie in the triangle's bounding box; None if there are none:
-    * then nothing can be drawn.
+  /** Columns and rows of the screen's pixels whose centres lie in the triangle's bounding box; None if there
+    * are none: then nothing can be drawn.
     */
   def pixels(vertices: Seq[PackedVertex]): Option[PixelBox] = {
     def range(low: Int, high: Int, size: Int) = ((low + 7) >> 4).max(0) -> ((high - 8) >> 4).min(size - 1)

@@ -4,8 +4,8 @@ import frustum.InputError
 import frustum.spec.Domain
 import scala.math.{ceil, log, pow}
 
-/** Brings a frame's w into the declared domain. Clip coordinates are homogeneous: all of them times one power of two
-  * draw the same picture, because only ratios of w matter.
+/** Brings a frame's w into the declared domain. Clip coordinates are homogeneous: all of them times one power
+  * of two draw the same picture, because only ratios of w matter.
   */
 object WScale {
 
@@ -19,8 +19,9 @@ object WScale {
     val scale = pow(2, exponent)
     if (!(low > 0) || !(low * scale >= Domain.MinW && high * scale <= Domain.MaxW))
       throw InputError(
-        s"depths of $low to $high in one frame: the largest may be ${(Domain.MaxW / Domain.MinW).toLong} times the " +
-          s"smallest (w of ${Domain.MinW} to ${Domain.MaxW}); move the near plane out or the far plane in"
+        s"depths of $low to $high in one frame: the largest may be " +
+          s"${(Domain.MaxW / Domain.MinW).toLong} times the smallest " +
+          s"(w of ${Domain.MinW} to ${Domain.MaxW}); move the near plane out or the far plane in"
       )
     scale
   }

@@ -2,20 +2,21 @@ package frustum.scene
 
 import org.joml.Vector3d
 
-/** A bicubic Bezier patch: `control(i)(j)`, i along u and j along v; derivative in u times derivative in v points
-  * outwards.
+/** A bicubic Bezier patch: `control(i)(j)`, i along u and j along v; derivative in u times derivative in v
+  * points outwards.
   */
 final case class BezierPatch(control: IndexedSeq[IndexedSeq[Vector3d]]) {
   import BezierPatch._
 
   def point(u: Double, v: Double): Vector3d = sum(bernstein(u), bernstein(v))
 
-  /** Unit normal. Where an edge in v is drawn together into one point (a pole) the derivative in v vanishes; its own
-    * derivative in u takes its place, with the sign it has just inside the patch: the limit of the normal.
+  /** Unit normal. Where an edge in v is drawn together into one point (a pole) the derivative in v vanishes;
+    * its own derivative in u takes its place, with the sign it has just inside the patch: the limit of the
+    * normal.
     */
   def normal(u: Double, v: Double): Vector3d = {
     val du = sum(slope(u), bernstein(v))
-    val n  = new Vector3d(du).cross(sum(bernstein(u), slope(v)))
+    val n = new Vector3d(du).cross(sum(bernstein(u), slope(v)))
     if (n.length > 1e-9) n.normalize
     else {
       val mixed = sum(slope(u), slope(v))

@@ -7,28 +7,44 @@ import scala.collection.mutable
 /** The content of an OBJ file: polygons with their vertices looked up, in file order. */
 final case class ObjFile(faces: IndexedSeq[ObjFile.Face], materials: Map[String, Material])
 
-/** Reader of the polygons of OBJ files. Written for its messages: readers we know of neither name the line nor keep
-  * more than single precision.
+/** Reader of the polygons of OBJ files. Written for its messages: readers we know of neither name the line
+  * nor keep more than single precision.
   */
 object ObjFile {
 
   /** A corner of a polygon; what the file leaves out is None. */
   final case class Corner(
-      position: Vector3d, texture: Option[(Double, Double)], normal: Option[Vector3d], color: (Double, Double, Double)
+      position: Vector3d,
+      texture: Option[(Double, Double)],
+      normal: Option[Vector3d],
+      color: (Double, Double, Double)
   )
 
   /** A polygon, and the material in force, None before the first `usemtl`. */
   final case class Face(corners: IndexedSeq[Corner], material: Option[Material], line: SourceLine)
 
   /** Statements that do not change what is drawn here. */
-  private val skipped = Set("g", "o", "s", "mg", "bevel", "c_interp", "d_interp", "lod", "maplib", "usemap", "shadow_obj", "trace_obj")
+  private val skipped = Set(
+    "g",
+    "o",
+    "s",
+    "mg",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "lod",
+    "maplib",
+    "usemap",
+    "shadow_obj",
+    "trace_obj"
+  )
 
   /** InputError naming file, line, what is wrong there and what would be right. */
   def read(file: Path): ObjFile = {
     val positions = mutable.ArrayBuffer.empty[(Vector3d, (Double, Double, Double))]
-    val textures  = mutable.ArrayBuffer.empty[(Double, Double)]
-    val normals   = mutable.ArrayBuffer.empty[Vector3d]
-    val faces     = mutable.ArrayBuffer.empty[Face]
+    val textures = mutable.ArrayBuffer.empty[(Double, Double)]
+    val normals = mutable.ArrayBuffer.empty[Vector3d]
+    val faces = mutable.ArrayBuffer.empty[Face]
     val materials = mutable.LinkedHashMap.empty[String, Material]
     var libraries = false
     var current: Option[Material] = None
@@ -40,12 +56,15 @@ object ObjFile {
         if (part >= parts.length || (part > 0 && parts(part).isEmpty)) None
         else {
           val i = parts(part).toIntOption
-            .getOrElse(line.error(s"'$word' in a face is not made of whole numbers; write v, v/vt, v//vn or v/vt/vn"))
+            .getOrElse(
+              line.error(s"'$word' in a face is not made of whole numbers; write v, v/vt, v//vn or v/vt/vn")
+            )
           if (i == 0) line.error(s"face names $what 0; numbers start at 1 (or -1 for the latest)")
           val found = if (i > 0) i - 1 else count + i
-          if (found < 0 || found >= count) line.error(
-            s"face names $what $i of $count; name one that is defined above this line"
-          )
+          if (found < 0 || found >= count)
+            line.error(
+              s"face names $what $i of $count; name one that is defined above this line"
+            )
           Some(found)
         }
       val (position, color) = positions(index(0, "vertex", positions.length).get)
@@ -78,9 +97,10 @@ object ObjFile {
         materials ++= MtlFile.read(MtlFile.beside(line), line)
       case "usemtl" =>
         current = materials.get(line.text)
-        if (libraries && current.isEmpty) line.error(
-          s"material '${line.text}' is in no mtllib above; there are: ${materials.keys.mkString(", ")}"
-        )
+        if (libraries && current.isEmpty)
+          line.error(
+            s"material '${line.text}' is in no mtllib above; there are: ${materials.keys.mkString(", ")}"
+          )
       case k if skipped(k) =>
       case k => line.error(s"statement '$k' is not supported; export the mesh as polygons (v, vt, vn, f)")
     }

@@ -1,34 +1,43 @@
 package frustum.scene
 
-/** The textures of our scenes, drawn in code. A picture is a function of texel column and row, from the top left. */
+/** The textures of our scenes, drawn in code. A picture is a function of texel column and row, from the top
+  * left.
+  */
 object Pictures {
   type Rgb = (Double, Double, Double)
 
   def opaque(width: Int, height: Int)(f: (Int, Int) => Rgb): TextureImage =
-    TextureImage(width, height, for (y <- 0 until height; x <- 0 until width) yield 0xff000000 | rgb(f(x, y)), hasAlpha = false)
+    TextureImage(
+      width,
+      height,
+      for (y <- 0 until height; x <- 0 until width) yield 0xff000000 | rgb(f(x, y)),
+      hasAlpha = false
+    )
 
   /** With alpha 0..1 beside the colour. */
   def translucent(width: Int, height: Int)(f: (Int, Int) => (Rgb, Double)): TextureImage =
     TextureImage(
-      width, height,
+      width,
+      height,
       for (y <- 0 until height; x <- 0 until width) yield { val (c, a) = f(x, y); byte(a) << 24 | rgb(c) },
       hasAlpha = true
     )
 
   /** A wooden crate: planks, a frame round them and a brace across, with nails. */
   def crate: TextureImage = opaque(64, 64) { (x, y) =>
-    val edge  = Seq(x, y, 63 - x, 63 - y).min
+    val edge = Seq(x, y, 63 - x, 63 - y).min
     val brace = (x - y).abs
     val wood: Rgb = (0.78, 0.56, 0.32)
-    val nail = (Seq(4, 59).contains(x) || Seq(4, 59).contains(y)) && (x + y) % 11 == 8 && edge >= 3 && edge <= 5
+    val nail =
+      (Seq(4, 59).contains(x) || Seq(4, 59).contains(y)) && (x + y) % 11 == 8 && edge >= 3 && edge <= 5
     if (nail) (0.25, 0.22, 0.2)
     else if (edge < 8) shade(wood, (if (edge == 0 || edge == 7) 0.55 else 0.95) + 0.15 * noise(x / 5, y, 1))
     else if (brace < 7) shade(wood, (if (brace == 6) 0.5 else 0.85) + 0.15 * noise(x + y, x - y, 2))
     else shade(wood, (if (x % 12 == 8) 0.35 else 0.58) + 0.15 * noise(x, y / 7, 3))
   }
 
-  /** Eight by eight fields in alternating colours that change across the texture, each with a light upper left and a
-    * dark lower right texel: a texel fetched one off shows.
+  /** Eight by eight fields in alternating colours that change across the texture, each with a light upper
+    * left and a dark lower right texel: a texel fetched one off shows.
     */
   def checker: TextureImage = opaque(64, 64) { (x, y) =>
     val base: Rgb =
@@ -43,8 +52,8 @@ object Pictures {
   /** Bricks in stretcher bond. */
   def bricks: TextureImage = opaque(64, 64) { (x, y) =>
     val course = y / 8
-    val along  = (x + (if (course % 2 == 0) 0 else 8)) % 64
-    val tint   = 0.75 + 0.3 * noise(along / 16, course, 4) + 0.12 * noise(x, y, 5)
+    val along = (x + (if (course % 2 == 0) 0 else 8)) % 64
+    val tint = 0.75 + 0.3 * noise(along / 16, course, 4) + 0.12 * noise(x, y, 5)
     if (y % 8 == 7 || along % 16 == 15) shade((0.62, 0.6, 0.56), 0.85 + 0.15 * noise(x, y, 6))
     else shade((0.68, 0.33, 0.24), if (y % 8 == 0 || along % 16 == 0) tint * 1.15 else tint)
   }
@@ -70,7 +79,9 @@ object Pictures {
 
   def shade(c: Rgb, f: Double): Rgb = (c._1 * f, c._2 * f, c._3 * f)
 
-  /** A number in 0..1 that looks random, the same on every machine: an integer hash (the finaliser of MurmurHash3). */
+  /** A number in 0..1 that looks random, the same on every machine: an integer hash (the finaliser of
+    * MurmurHash3).
+    */
   def noise(x: Int, y: Int, seed: Int): Double = {
     var h = x * 0x8da6b343 + y * 0xd8163841 + seed * 0xcb1ab31f
     h = (h ^ (h >>> 16)) * 0x85ebca6b
@@ -79,5 +90,5 @@ object Pictures {
   }
 
   private def byte(v: Double): Int = (v * 255).round.toInt.max(0).min(255)
-  private def rgb(c: Rgb): Int     = byte(c._1) << 16 | byte(c._2) << 8 | byte(c._3)
+  private def rgb(c: Rgb): Int = byte(c._1) << 16 | byte(c._2) << 8 | byte(c._3)
 }

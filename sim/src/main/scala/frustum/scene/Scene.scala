@@ -2,12 +2,17 @@ package frustum.scene
 
 import org.joml.Vector3d
 
-/** A corner of a triangle. Vertices are values: equal ones are shared when the scene is packed for the hardware.
+/** A corner of a triangle. Vertices are values: equal ones are shared when the scene is packed for the
+  * hardware.
   *
-  * @param position world space, right-handed, y up
-  * @param normal   unit length, outwards
-  * @param s,t      texture coordinates in repeats, origin at the texture's bottom left
-  * @param color    red, green, blue, alpha, 0..1
+  * @param position
+  *   world space, right-handed, y up
+  * @param normal
+  *   unit length, outwards
+  * @param s,t
+  *   texture coordinates in repeats, origin at the texture's bottom left
+  * @param color
+  *   red, green, blue, alpha, 0..1
   */
 final case class MeshVertex(
     position: Vector3d,
@@ -24,7 +29,8 @@ final case class Triangle(v0: MeshVertex, v1: MeshVertex, v2: MeshVertex, materi
 
 /** Something to draw, and where it is best seen from.
   *
-  * @param background 0xRRGGBB
+  * @param background
+  *   0xRRGGBB
   */
 final case class Scene(
     name: String,
@@ -34,7 +40,9 @@ final case class Scene(
     background: Int
 ) {
 
-  /** Centre and radius of the sphere around the bounding box: radius is that of the farthest vertex from the centre. */
+  /** Centre and radius of the sphere around the bounding box: radius is that of the farthest vertex from the
+    * centre.
+    */
   lazy val boundingSphere: (Vector3d, Double) = BoundingSphere(triangles.flatMap(_.vertices.map(_.position)))
 }
 
@@ -42,8 +50,8 @@ final case class Scene(
 object BoundingSphere {
   def apply(points: Iterable[Vector3d]): (Vector3d, Double) = {
     if (points.isEmpty) return (new Vector3d, 0.0)
-    val low    = points.foldLeft(new Vector3d(Double.PositiveInfinity))((m, p) => m.min(p))
-    val high   = points.foldLeft(new Vector3d(Double.NegativeInfinity))((m, p) => m.max(p))
+    val low = points.foldLeft(new Vector3d(Double.PositiveInfinity))((m, p) => m.min(p))
+    val high = points.foldLeft(new Vector3d(Double.NegativeInfinity))((m, p) => m.max(p))
     val centre = low.add(high).mul(0.5)
     (centre, points.iterator.map(_.distance(centre)).max)
   }

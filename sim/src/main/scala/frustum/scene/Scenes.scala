@@ -5,7 +5,9 @@ import frustum.spec.Combine
 import org.joml.Vector3d
 import scala.math.{cos, max, pow, sin, toRadians}
 
-/** The scenes made in code: nothing to load, the same everywhere. Each has the camera it is meant to be seen with. */
+/** The scenes made in code: nothing to load, the same everywhere. Each has the camera it is meant to be seen
+  * with.
+  */
 object Scenes {
   val names: Seq[String] = Seq("teapot", "cube", "floor", "corridor", "terrain")
 
@@ -19,19 +21,21 @@ object Scenes {
     case _          => throw InputError(s"there is no scene '$name'; choose one of ${names.mkString(", ")}")
   }
 
-  /** The Utah teapot in glazed earthenware: light and gloss are in the vertex colours, so that it needs no light.
+  /** The Utah teapot in glazed earthenware: light and gloss are in the vertex colours, so that it needs no
+    * light.
     *
-    * @param tessellation steps of a quarter turn; 6 makes fewer than 1,000 triangles: one pass
+    * @param tessellation
+    *   steps of a quarter turn; 6 makes fewer than 1,000 triangles: one pass
     */
   def teapot(tessellation: Int = 6): Scene = {
     require(tessellation >= 1 && tessellation <= 64, s"tessellation $tessellation is outside 1..64")
-    val eye   = new Vector3d(4.2, 4.8, 9.3)
-    val key   = new Vector3d(0.55, 0.75, 0.45).normalize
-    val fill  = new Vector3d(-0.8, 0.1, 0.5).normalize
+    val eye = new Vector3d(4.2, 4.8, 9.3)
+    val key = new Vector3d(0.55, 0.75, 0.45).normalize
+    val fill = new Vector3d(-0.8, 0.1, 0.5).normalize
     val gloss = new Vector3d(eye).normalize.add(key).normalize
     def color(n: Vector3d) = {
       val (k, f) = (max(0.0, n.dot(key)), max(0.0, n.dot(fill)))
-      val shine  = 0.55 * pow(max(0.0, n.dot(gloss)), 40)
+      val shine = 0.55 * pow(max(0.0, n.dot(gloss)), 40)
       def channel(base: Double, warm: Double, cool: Double) =
         (base * (0.16 + 0.06 * n.y + warm * k + cool * f) + shine).min(1.0)
       (channel(0.86, 0.86, 0.12), channel(0.42, 0.80, 0.20), channel(0.22, 0.66, 0.42), 1.0)
@@ -47,25 +51,32 @@ object Scenes {
       def unit(a: Int, v: Double) = new Vector3d().setComponent(a, v)
       // right and up of the face as seen from outside, so that the picture stands upright on the four sides
       val normal = unit(axis, sign)
-      val up     = if (axis == 1) unit(2, -sign) else unit(1, 1)
-      val right  = new Vector3d(up).cross(normal)
+      val up = if (axis == 1) unit(2, -sign) else unit(1, 1)
+      val right = new Vector3d(up).cross(normal)
       val corner = new Vector3d(normal).sub(up).sub(right).mul(0.5)
       Grid.rectangle(corner, right, up, (1, 1), (1, 1), 0)(_ => (1, 1, 1, 1))
     }
     val (turn, elevation, distance) = (toRadians(30), toRadians(39), 3.9)
-    val eye = new Vector3d(sin(turn) * cos(elevation), sin(elevation), cos(turn) * cos(elevation)).mul(distance)
+    val eye =
+      new Vector3d(sin(turn) * cos(elevation), sin(elevation), cos(turn) * cos(elevation)).mul(distance)
     val material = Material("crate", (1, 1, 1), 1, Some(Pictures.crate), Combine.Replace, blend = false, None)
     val camera = Camera(eye, new Vector3d, new Vector3d(0, 1, 0), 30, 1, 10)
     Scene("cube", faces.flatten, IndexedSeq(material), camera, 0x203048)
   }
 
-  /** A floor to the horizon in two triangles, the texture repeated 8 times in both directions: the hardest case for
-    * perspective. Numbers as in the figures it is compared by.
+  /** A floor to the horizon in two triangles, the texture repeated 8 times in both directions: the hardest
+    * case for perspective. Numbers as in the figures it is compared by.
     */
   def floor: Scene = {
-    val material = Material("checker", (1, 1, 1), 1, Some(Pictures.checker), Combine.Replace, blend = false, None)
+    val material =
+      Material("checker", (1, 1, 1), 1, Some(Pictures.checker), Combine.Replace, blend = false, None)
     val quad = Grid.rectangle(
-      new Vector3d(-50, -1, -1), new Vector3d(100, 0, 0), new Vector3d(0, 0, -99), (8, 8), (1, 1), 0
+      new Vector3d(-50, -1, -1),
+      new Vector3d(100, 0, 0),
+      new Vector3d(0, 0, -99),
+      (8, 8),
+      (1, 1),
+      0
     )(_ => (1, 1, 1, 1))
     val camera = Camera(new Vector3d, new Vector3d(0, 0, -1), new Vector3d(0, 1, 0), 60, 1, 111)
     Scene("floor", quad, IndexedSeq(material), camera, 0x80a8d8)

@@ -5,7 +5,8 @@ import java.nio.charset.StandardCharsets
 import java.nio.file.{Files, NoSuchFileException, Path}
 import scala.util.control.NonFatal
 
-/** A statement of a text file: keyword and arguments, with the place to name when something is wrong with it. */
+/** A statement of a text file: keyword and arguments, with the place to name when something is wrong with it.
+  */
 final case class SourceLine(file: Path, number: Int, keyword: String, text: String) {
   val words: IndexedSeq[String] = text.split("\\s+").toIndexedSeq.filter(_.nonEmpty)
 
@@ -13,12 +14,14 @@ final case class SourceLine(file: Path, number: Int, keyword: String, text: Stri
 
   /** The arguments as finite numbers, `least` to `most` of them. */
   def numbers(least: Int, most: Int, form: String): IndexedSeq[Double] = {
-    if (words.length < least || words.length > most) error(s"'$keyword' with ${words.length} values; write '$keyword $form'")
+    if (words.length < least || words.length > most)
+      error(s"'$keyword' with ${words.length} values; write '$keyword $form'")
     words.map(number)
   }
 
   def number(word: String): Double = {
-    val value = word.toDoubleOption.getOrElse(error(s"'$word' is not a number; write '$keyword' with decimal numbers"))
+    val value =
+      word.toDoubleOption.getOrElse(error(s"'$word' is not a number; write '$keyword' with decimal numbers"))
     if (!value.isFinite) error(s"'$word' is not finite; write '$keyword' with finite numbers")
     value
   }
@@ -26,18 +29,20 @@ final case class SourceLine(file: Path, number: Int, keyword: String, text: Stri
 
 object SourceLine {
 
-  /** The statements of a file, without comments (# at the start of a word) and empty lines; a backslash at the end of a
-    * line continues it.
+  /** The statements of a file, without comments (# at the start of a word) and empty lines; a backslash at
+    * the end of a line continues it.
     *
-    * @param namedBy who refers to the file and where, for the message when it is missing
+    * @param namedBy
+    *   who refers to the file and where, for the message when it is missing
     */
   def read(file: Path, namedBy: Option[SourceLine] = None): Seq[SourceLine] = {
-    def refuse(what: String): Nothing = namedBy.fold[Nothing](throw InputError(s"$file: $what"))(_.error(s"$file: $what"))
+    def refuse(what: String): Nothing =
+      namedBy.fold[Nothing](throw InputError(s"$file: $what"))(_.error(s"$file: $what"))
     val content =
       try new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1)
       catch {
         case _: NoSuchFileException => refuse("there is no such file; check the name")
-        case NonFatal(e)            => refuse(s"cannot be read (${e.getClass.getSimpleName}); give a readable text file")
+        case NonFatal(e) => refuse(s"cannot be read (${e.getClass.getSimpleName}); give a readable text file")
       }
     if (content.contains('\u0000')) refuse("is not a text file; give an OBJ or MTL file in text form")
     val lines = content.split("\r\n|\r|\n", -1).toIndexedSeq

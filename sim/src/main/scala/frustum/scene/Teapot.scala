@@ -2,19 +2,24 @@ package frustum.scene
 
 import org.joml.Vector3d
 
-/** The Utah teapot: the 32 bicubic patches Martin Newell published in 1975 (with the bottom added in 1987), here put
-  * together from what they are made of. Rim, body, lid and bottom are surfaces of revolution, each quarter turn a
-  * patch; handle and spout are swept sections, each half a patch. z is up, the spout points along +x.
+/** The Utah teapot: the 32 bicubic patches Martin Newell published in 1975 (with the bottom added in 1987),
+  * here put together from what they are made of. Rim, body, lid and bottom are surfaces of revolution, each
+  * quarter turn a patch; handle and spout are swept sections, each half a patch. z is up, the spout points
+  * along +x.
   */
 object Teapot {
 
   /** A patch and the steps it is cut into at tessellation 6. */
   final case class Part(name: String, patch: BezierPatch, stepsU: Int, stepsV: Int)
 
-  /** A ring of control points: radius, height, and how far the inner two of a quarter's four stand off the axes. */
+  /** A ring of control points: radius, height, and how far the inner two of a quarter's four stand off the
+    * axes.
+    */
   private final case class Ring(radius: Double, height: Double, reach: Double)
 
-  /** The published points approximate a quarter of a circle with 0.56 of the radius (the best cubic has 0.5523). */
+  /** The published points approximate a quarter of a circle with 0.56 of the radius (the best cubic has
+    * 0.5523).
+    */
   private def ring(radius: Double, height: Double): Ring = Ring(radius, height, 0.56 * radius)
 
   private val rim = Seq(ring(1.4, 2.4), ring(1.3375, 2.53125), ring(1.4375, 2.53125), ring(1.5, 2.4))
@@ -28,15 +33,21 @@ object Teapot {
   private final case class Section(x0: Double, z0: Double, x1: Double, z1: Double, halfWidth: Double)
 
   private val handle = Seq(
-    Section(-1.6, 2.025, -1.5, 2.25, 0.3), Section(-2.3, 2.025, -2.5, 2.25, 0.3),
-    Section(-2.7, 2.025, -3.0, 2.25, 0.3), Section(-2.7, 1.8, -3.0, 1.8, 0.3),
-    Section(-2.7, 1.575, -3.0, 1.35, 0.3), Section(-2.5, 1.125, -2.65, 0.9375, 0.3),
+    Section(-1.6, 2.025, -1.5, 2.25, 0.3),
+    Section(-2.3, 2.025, -2.5, 2.25, 0.3),
+    Section(-2.7, 2.025, -3.0, 2.25, 0.3),
+    Section(-2.7, 1.8, -3.0, 1.8, 0.3),
+    Section(-2.7, 1.575, -3.0, 1.35, 0.3),
+    Section(-2.5, 1.125, -2.65, 0.9375, 0.3),
     Section(-2.0, 0.9, -1.9, 0.6, 0.3)
   )
   private val spout = Seq(
-    Section(1.7, 1.425, 1.7, 0.6, 0.66), Section(2.6, 1.425, 3.1, 0.825, 0.66),
-    Section(2.3, 2.1, 2.4, 2.025, 0.25), Section(2.7, 2.4, 3.3, 2.4, 0.25),
-    Section(2.8, 2.475, 3.525, 2.49375, 0.25), Section(2.9, 2.475, 3.45, 2.5125, 0.15),
+    Section(1.7, 1.425, 1.7, 0.6, 0.66),
+    Section(2.6, 1.425, 3.1, 0.825, 0.66),
+    Section(2.3, 2.1, 2.4, 2.025, 0.25),
+    Section(2.7, 2.4, 3.3, 2.4, 0.25),
+    Section(2.8, 2.475, 3.525, 2.49375, 0.25),
+    Section(2.9, 2.475, 3.45, 2.5125, 0.15),
     Section(2.8, 2.4, 3.2, 2.4, 0.15)
   )
 
@@ -48,10 +59,15 @@ object Teapot {
 
   /** Triangles of the whole teapot, front sides out, shifted so that y is up.
     *
-    * @param tessellation  steps of a quarter turn; the other directions follow in proportion
-    * @param color         vertex colour as a function of the normal
+    * @param tessellation
+    *   steps of a quarter turn; the other directions follow in proportion
+    * @param color
+    *   vertex colour as a function of the normal
     */
-  def triangles(tessellation: Int, color: Vector3d => (Double, Double, Double, Double)): IndexedSeq[Triangle] = {
+  def triangles(
+      tessellation: Int,
+      color: Vector3d => (Double, Double, Double, Double)
+  ): IndexedSeq[Triangle] = {
     def steps(atSix: Int) = (atSix * tessellation / 6.0).round.toInt.max(1)
     parts.toIndexedSeq.flatMap { part =>
       val (nu, nv) = (steps(part.stepsU), steps(part.stepsV))
@@ -84,7 +100,10 @@ object Teapot {
     Seq(1, -1).map { side =>
       val control = sections.toIndexedSeq.map { case Section(x0, z0, x1, z1, w) =>
         val half = IndexedSeq(
-          new Vector3d(x0, 0, z0), new Vector3d(x0, side * w, z0), new Vector3d(x1, side * w, z1), new Vector3d(x1, 0, z1)
+          new Vector3d(x0, 0, z0),
+          new Vector3d(x0, side * w, z0),
+          new Vector3d(x1, side * w, z1),
+          new Vector3d(x1, 0, z1)
         )
         if (side > 0) half else half.reverse
       }

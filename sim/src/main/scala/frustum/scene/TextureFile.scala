@@ -8,11 +8,12 @@ import scala.util.control.NonFatal
 /** Reads pictures (PNG, and whatever else the Java runtime knows) as textures. */
 object TextureFile {
 
-  /** InputError naming the file, and `namedBy` where another file refers to it, when it is missing, damaged, or not of
-    * a size the hardware takes.
+  /** InputError naming the file, and `namedBy` where another file refers to it, when it is missing, damaged,
+    * or not of a size the hardware takes.
     */
   def read(file: Path, namedBy: Option[SourceLine] = None): TextureImage = {
-    def refuse(what: String): Nothing = namedBy.fold[Nothing](throw InputError(s"$file: $what"))(_.error(s"$file: $what"))
+    def refuse(what: String): Nothing =
+      namedBy.fold[Nothing](throw InputError(s"$file: $what"))(_.error(s"$file: $what"))
     if (!Files.isRegularFile(file)) refuse("there is no such picture; check the name")
     try {
       val stream = ImageIO.createImageInputStream(file.toFile)
@@ -22,7 +23,9 @@ object TextureFile {
         val reader = readers.next
         reader.setInput(stream)
         // before decoding: a wrong size may be a huge one
-        TextureImage.fault(reader.getWidth(0), reader.getHeight(0)).foreach(fault => refuse(s"the texture $fault"))
+        TextureImage
+          .fault(reader.getWidth(0), reader.getHeight(0))
+          .foreach(fault => refuse(s"the texture $fault"))
         val picture = reader.read(0)
         val argb = picture.getRGB(0, 0, picture.getWidth, picture.getHeight, null, 0, picture.getWidth)
         TextureImage(picture.getWidth, picture.getHeight, argb.toIndexedSeq, argb.exists(_ >>> 24 != 255))

@@ -2,8 +2,10 @@ package frustum.scene
 
 /** A picture to be used as a texture.
   *
-  * @param argb     0xAARRGGBB, row by row from the TOP, as in picture files (texture coordinate t runs the other way)
-  * @param hasAlpha false when every texel is opaque; decides between RGB565 and RGBA4444 in texel memory
+  * @param argb
+  *   0xAARRGGBB, row by row from the TOP, as in picture files (texture coordinate t runs the other way)
+  * @param hasAlpha
+  *   false when every texel is opaque; decides between RGB565 and RGBA4444 in texel memory
   */
 final case class TextureImage(width: Int, height: Int, argb: IndexedSeq[Int], hasAlpha: Boolean) {
   require(argb.length == width * height, s"${argb.length} texels for a texture of $width x $height")
@@ -20,6 +22,7 @@ object TextureImage {
   /** What is wrong with a size and what to do about it, or None. */
   def fault(width: Int, height: Int): Option[String] =
     Option.unless(Sides.contains(width) && Sides.contains(height))(
-      s"is $width x $height texels; each side must be ${Sides.mkString(", ")} (not necessarily square): scale the picture"
+      s"is $width x $height texels; each side must be ${Sides.mkString(", ")} " +
+        "(not necessarily square): scale the picture"
     )
 }

@@ -14,16 +14,18 @@ class PassSplitterTest extends AnyFunSuite {
     p.triangles.map(t => (t.state, p.vertices(t.v0), p.vertices(t.v1), p.vertices(t.v2)))
 
   for ((maxVertices, maxTriangles) <- Seq((1024, 1024), (1024, 200), (120, 1024), (110, 150)))
-    test(s"teapot in a store of $maxVertices vertices and $maxTriangles triangles: nothing lost, nothing twice") {
-      val small  = RasterConfig(maxVertices = maxVertices, maxTriangles = maxTriangles)
-      val whole  = prepare(Scenes.teapot())
-      val split  = prepare(Scenes.teapot(), config = small, frame = 3)
+    test(
+      s"teapot in a store of $maxVertices vertices and $maxTriangles triangles: nothing lost, nothing twice"
+    ) {
+      val small = RasterConfig(maxVertices = maxVertices, maxTriangles = maxTriangles)
+      val whole = prepare(Scenes.teapot())
+      val split = prepare(Scenes.teapot(), config = small, frame = 3)
       assert(whole.passes.length == 1)
       assert(split.passes.length == 1 || maxVertices < 1024 || maxTriangles < 1024)
       assert(split.passes.flatMap(p => tiles(p.region)).sorted == tiles(TileRegion.whole(small)).sorted)
       assert(split.passes.map(_.frame).distinct.length == split.passes.length)
       val viewport = new Viewport(small)
-      val all      = corners(whole.passes.head)
+      val all = corners(whole.passes.head)
       for (p <- split.passes) {
         assert(p.vertices.length <= maxVertices && p.triangles.length <= maxTriangles)
         val inRegion = all.filter { case (_, a, b, c) =>
@@ -40,7 +42,9 @@ class PassSplitterTest extends AnyFunSuite {
   test("too many triangles in one tile are refused with the numbers") {
     val stack = Seq.fill(9)(triangle(vertex(0, 0), vertex(9, 0), vertex(0, 9)))
     val error = intercept[InputError](prepare(scene(stack), config = RasterConfig(maxTriangles = 8)))
-    assert(error.message.contains("9 triangles with 3 vertices") && error.message.contains("holds 8 triangles"))
+    assert(
+      error.message.contains("9 triangles with 3 vertices") && error.message.contains("holds 8 triangles")
+    )
   }
 
   test("an empty frame is one pass that clears the screen") {

@@ -17,7 +17,8 @@ class TextureMemoryTest extends AnyFunSuite {
   }
 
   test("two of the largest fill the memory, a third is refused with the numbers") {
-    def large(i: Int) = Material.textured(s"m$i", Pictures.opaque(128, 128)((x, y) => (i / 3.0, x / 128.0, y / 128.0)), 1)
+    def large(i: Int) =
+      Material.textured(s"m$i", Pictures.opaque(128, 128)((x, y) => (i / 3.0, x / 128.0, y / 128.0)), 1)
     assert(TextureMemory.allocate(meshOf(large(0), large(1)), config).uploads.map(_.base) == Seq(0, 256))
     val error = intercept[InputError](TextureMemory.allocate(meshOf(large(0), large(1), large(2)), config))
     assert(error.message.contains("need 49152 texels, the memory has 32768"))
@@ -31,7 +32,12 @@ class TextureMemoryTest extends AnyFunSuite {
   }
 
   test("the bottom row comes first") {
-    val image = TextureImage(8, 8, IndexedSeq.tabulate(64)(i => if (i >= 56) 0xffffffff else 0xff000000), hasAlpha = false)
+    val image = TextureImage(
+      8,
+      8,
+      IndexedSeq.tabulate(64)(i => if (i >= 56) 0xffffffff else 0xff000000),
+      hasAlpha = false
+    )
     assert(TextureMemory.texels(image) == IndexedSeq.tabulate(64)(i => if (i < 8) 0xffff else 0))
   }
 
@@ -40,6 +46,8 @@ class TextureMemoryTest extends AnyFunSuite {
     assert(TextureMemory.rgb565(0xff800003) == (16 << 11))
     assert(TextureMemory.rgba4444(0x80ff0011) == 0xf018)
     val image = TextureImage(8, 8, IndexedSeq.fill(64)(0x80ff0011), hasAlpha = true)
-    assert(TextureMemory.format(image) == TexelFormat.Rgba4444 && TextureMemory.texels(image).forall(_ == 0xf018))
+    assert(
+      TextureMemory.format(image) == TexelFormat.Rgba4444 && TextureMemory.texels(image).forall(_ == 0xf018)
+    )
   }
 }

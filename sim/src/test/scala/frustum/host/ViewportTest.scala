@@ -6,7 +6,8 @@ import org.scalatest.funsuite.AnyFunSuite
 class ViewportTest extends AnyFunSuite {
   private val viewport = new Viewport(config)
 
-  private def at(x: Double, y: Double, z: Double = 0, w: Double = 1) = viewport.pack(clipVertex(x * w, y * w, z * w, w), (0, 0))
+  private def at(x: Double, y: Double, z: Double = 0, w: Double = 1) =
+    viewport.pack(clipVertex(x * w, y * w, z * w, w), (0, 0))
 
   test("corners: x right, y down, near 0, far 65535") {
     assert((at(-1, 1, -1).x, at(-1, 1, -1).y, at(-1, 1, -1).z) == ((0, 0, 0)))
@@ -41,6 +42,10 @@ class ViewportTest extends AnyFunSuite {
     assert(viewport.pixels(Seq(packed(8, 8), packed(24, 8), packed(8, 25))) == Some(PixelBox(0, 0, 1, 1)))
     assert(viewport.pixels(Seq(packed(9, 9), packed(23, 9), packed(9, 23))) == None)
     assert(viewport.pixels(Seq(packed(-500, -500), packed(-20, -30), packed(-100, -9))) == None)
-    assert(viewport.pixels(Seq(packed(-500, -500), packed(9000, -500), packed(0, 9000))) == Some(PixelBox(0, 0, 239, 319)))
+    assert(
+      viewport.pixels(Seq(packed(-500, -500), packed(9000, -500), packed(0, 9000))) == Some(
+        PixelBox(0, 0, 239, 319)
+      )
+    )
   }
 }

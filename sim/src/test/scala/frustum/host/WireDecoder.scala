@@ -20,7 +20,7 @@ object WireDecoder {
   /** The pass that a stream from `begin` to `draw` describes; render states stay words. */
   def pass(all: Seq[Message]): (FramePass, Seq[Seq[Int]]) = {
     require(all.head.command == Command.Begin && all.last.command == Command.Draw)
-    val begin    = all.head.payload
+    val begin = all.head.payload
     val vertices = scala.collection.mutable.ArrayBuffer.empty[PackedVertex]
     val triangles = scala.collection.mutable.ArrayBuffer.empty[PackedTriangle]
     val states = scala.collection.mutable.ArrayBuffer.empty[Seq[Int]]
@@ -35,7 +35,7 @@ object WireDecoder {
         case Command.Triangles =>
           m.payload.drop(1).grouped(2).foreach { w =>
             val bits = w(0) << 16 | w(1)
-            val t    = PackedTriangle(m.payload(0), bits >> 20, bits >> 10 & 1023, bits & 1023)
+            val t = PackedTriangle(m.payload(0), bits >> 20, bits >> 10 & 1023, bits & 1023)
             require(Seq(t.v0, t.v1, t.v2).forall(_ < vertices.length), "triangle before its vertices")
             require(t.state < states.length, "triangle before its state")
             triangles += t
@@ -45,7 +45,10 @@ object WireDecoder {
     }
     require(all.last.payload == Seq(vertices.length, triangles.length), "counts")
     val region = TileRegion(begin(2) >> 8, begin(3) >> 8, begin(2) & 255, begin(3) & 255)
-    (FramePass(begin(0), begin(1), region, IndexedSeq.empty, vertices.toIndexedSeq, triangles.toIndexedSeq), states.toSeq)
+    (
+      FramePass(begin(0), begin(1), region, IndexedSeq.empty, vertices.toIndexedSeq, triangles.toIndexedSeq),
+      states.toSeq
+    )
   }
 
   private def unescape(bytes: List[Int]): List[Int] = bytes match {

@@ -3,6 +3,7 @@ package frustum.link
 import frustum.blackbox.Tech
 import frustum.spec.RasterConfig
 import frustum.spec.StoreLayout
+import frustum.texture.TexelWrite
 import spinal.core._
 import spinal.core.sim._
 import spinal.lib._

@@ -1,6 +1,7 @@
 package frustum.raster
 
 import frustum.blackbox.Tech
+import frustum.frame.TilePosition
 import frustum.harness.FrustumSim
 import frustum.link.{FrameJob, StoreBus}
 import frustum.model

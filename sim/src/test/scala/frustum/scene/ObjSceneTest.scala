@@ -16,8 +16,15 @@ class ObjSceneTest extends AnyFunSuite {
     val directory = Files.createTempDirectory("frustum")
     try {
       for ((name, text) <- files) Files.write(directory.resolve(name), text.getBytes(StandardCharsets.UTF_8))
-      for ((name, w, h, argb) <- Seq(("ok.png", 8, 8, 0xff336699), ("odd.png", 8, 12, -1), ("big.png", 256, 256, -1),
-        ("holes.png", 16, 8, 0), ("haze.png", 8, 8, 0x80ffffff))) {
+      for (
+        (name, w, h, argb) <- Seq(
+          ("ok.png", 8, 8, 0xff336699),
+          ("odd.png", 8, 12, -1),
+          ("big.png", 256, 256, -1),
+          ("holes.png", 16, 8, 0),
+          ("haze.png", 8, 8, 0x80ffffff)
+        )
+      ) {
         val picture = new BufferedImage(w, h, BufferedImage.TYPE_INT_ARGB)
         for (y <- 0 until h; x <- 0 until w) picture.setRGB(x, y, argb)
         ImageIO.write(picture, "png", directory.resolve(name).toFile)
@@ -40,7 +47,9 @@ class ObjSceneTest extends AnyFunSuite {
     val s = read(square + "v -1 0.5 0\nf 1 2 3 4 5")
     assert(s.triangles.length == 3 && s.materials == Seq(Material.White))
     assert(s.triangles.flatMap(_.vertices).forall(_.normal == new Vector3d(0, 0, 1)))
-    assert(s.triangles.map(t => (t.v1.position.x, t.v2.position.x)) == Seq((1.0, 1.0), (1.0, 0.0), (0.0, -1.0)))
+    assert(
+      s.triangles.map(t => (t.v1.position.x, t.v2.position.x)) == Seq((1.0, 1.0), (1.0, 0.0), (0.0, -1.0))
+    )
   }
 
   test("relative indices, normals, coordinates, comments, continued lines, foreign statements") {
@@ -81,8 +90,16 @@ class ObjSceneTest extends AnyFunSuite {
     assert(m.map(_.alpha) == Seq(1, 0.25, 1, 1, 1, 0.5))
     assert(m.map(_.blend) == Seq(false, true, false, false, true, true))
     assert(m.map(_.alphaTest.isDefined) == Seq(false, false, false, true, false, false))
-    assert(m.map(_.combine) == Seq(Combine.ColorOnly, Combine.ColorOnly, Combine.Replace, Combine.Replace, Combine.Replace,
-      Combine.Modulate))
+    assert(
+      m.map(_.combine) == Seq(
+        Combine.ColorOnly,
+        Combine.ColorOnly,
+        Combine.Replace,
+        Combine.Replace,
+        Combine.Replace,
+        Combine.Modulate
+      )
+    )
     assert(m(2).texture.get.argb.toSet == Set(0xff336699) && !m(2).texture.get.hasAlpha)
     assert((m(3).texture.get.width, m(3).texture.get.height, m(3).texture.get.hasAlpha) == ((16, 8, true)))
   }
@@ -95,7 +112,10 @@ class ObjSceneTest extends AnyFunSuite {
   test("a picture given apart goes onto every face") {
     val s = read(square + "f 1/1 2/2 3/3", texture = Some("ok.png"))
     assert(s.materials.map(_.texture.get.width) == Seq(8))
-    assert(intercept[InputError](read(square + "f 1 2 3", texture = Some("ok.png"))).message.contains("no face has texture"))
+    assert(
+      intercept[InputError](read(square + "f 1 2 3", texture = Some("ok.png"))).message
+        .contains("no face has texture")
+    )
   }
 
   test("framing: 2.5 radii away, near 0.05 r, far 10 r") {
@@ -151,7 +171,10 @@ class ObjSceneTest extends AnyFunSuite {
     ("newmtl a\nmap_Kd", "a.mtl:2: 'map_Kd' without a file"),
     ("newmtl a\nmap_Kd -s 2 2 2 ok.png", "a.mtl:2: map_Kd option '-s' is not supported"),
     ("newmtl a\nmap_Kd none.png", "none.png: there is no such picture"),
-    ("newmtl a\n\nmap_Kd odd.png", "odd.png: the texture is 8 x 12 texels; each side must be 8, 16, 32, 64, 128"),
+    (
+      "newmtl a\n\nmap_Kd odd.png",
+      "odd.png: the texture is 8 x 12 texels; each side must be 8, 16, 32, 64, 128"
+    ),
     ("newmtl a\nmap_Kd big.png", "big.png: the texture is 256 x 256 texels"),
     ("newmtl a\nmap_Kd a.obj", "a.obj: is not a picture in a known format; save it as PNG"),
     ("newmtl a\nmap_Kd cut.png", "cut.png: the picture is damaged")

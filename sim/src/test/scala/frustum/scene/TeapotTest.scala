@@ -9,20 +9,38 @@ class TeapotTest extends AnyFunSuite {
   test("32 patches with the published extent") {
     assert(Teapot.parts.length == 32)
     val points = Teapot.parts.flatMap(_.patch.control.flatten)
-    assert((points.map(_.x).min, points.map(_.x).max, points.map(_.z).min, points.map(_.z).max) == ((-3.0, 3.525, 0.0, 3.15)))
+    assert(
+      (points.map(_.x).min, points.map(_.x).max, points.map(_.z).min, points.map(_.z).max) == ((
+        -3.0,
+        3.525,
+        0.0,
+        3.15
+      ))
+    )
     assert((points.map(_.y).min, points.map(_.y).max) == ((-2.0, 2.0)))
   }
 
   test("control points of the published table") {
     val points = Teapot.parts.flatMap(_.patch.control.flatten)
-    for ((x, y, z) <- Seq((1.4, -0.784, 2.4), (0.98, 1.75, 1.875), (-0.45, -0.8, 3.15), (0.112, -0.2, 2.7),
-      (-2.65, -0.3, 0.9375), (3.45, 0.15, 2.5125), (-0.798, 1.425, 0.0)))
+    for (
+      (x, y, z) <- Seq(
+        (1.4, -0.784, 2.4),
+        (0.98, 1.75, 1.875),
+        (-0.45, -0.8, 3.15),
+        (0.112, -0.2, 2.7),
+        (-2.65, -0.3, 0.9375),
+        (3.45, 0.15, 2.5125),
+        (-0.798, 1.425, 0.0)
+      )
+    )
       assert(points.exists(_.distance(new Vector3d(x, y, z)) < 1e-12), (x, y, z))
   }
 
   test("neighbouring patches share their edge, point and normal") {
     def edge(p: BezierPatch, u: Option[Double], v: Option[Double]) =
-      (0 to 4).map(i => (u.getOrElse(i / 4.0), v.getOrElse(i / 4.0))).map { case (a, b) => (p.point(a, b), p.normal(a, b)) }
+      (0 to 4).map(i => (u.getOrElse(i / 4.0), v.getOrElse(i / 4.0))).map { case (a, b) =>
+        (p.point(a, b), p.normal(a, b))
+      }
     // the first eight parts are the rim's and the upper body's quarters
     for (start <- Seq(0, 4, 8, 12, 16, 20); quarter <- 0 to 3) {
       val here = edge(Teapot.parts(start + quarter).patch, None, Some(1))
@@ -37,9 +55,13 @@ class TeapotTest extends AnyFunSuite {
   }
 
   test("normals at the poles point along the axis") {
-    val poles = Teapot.parts.flatMap(part => Seq((0.0, 0.3), (1.0, 0.7), (0.0, 0.0), (1.0, 1.0)).map { case (u, v) =>
-      part.patch.point(u, v) -> part.patch.normal(u, v)
-    }).filter { case (p, _) => p.x.abs < 1e-12 && p.y.abs < 1e-12 }
+    val poles = Teapot.parts
+      .flatMap(part =>
+        Seq((0.0, 0.3), (1.0, 0.7), (0.0, 0.0), (1.0, 1.0)).map { case (u, v) =>
+          part.patch.point(u, v) -> part.patch.normal(u, v)
+        }
+      )
+      .filter { case (p, _) => p.x.abs < 1e-12 && p.y.abs < 1e-12 }
     assert(poles.length == 4 * 2 * 2)
     for ((p, n) <- poles) assert(n.distance(new Vector3d(0, 0, if (p.z > 1) 1 else -1)) < 1e-9)
   }
