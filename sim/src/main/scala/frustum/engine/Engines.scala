@@ -18,6 +18,7 @@ object Engines {
 
   val table: Seq[EngineEntry] = Seq(
     EngineEntry("model", simulated = false, _ => new PassEngine(new RasterModel(_))),
+    EngineEntry("model", simulated = false, _ => new PassEngine(new RasterModel(_))),
     EngineEntry("reference", simulated = false, _ => new PassEngine(new ReferenceRenderer(_)))
   )
 
