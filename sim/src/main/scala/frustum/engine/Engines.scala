@@ -18,7 +18,6 @@ object Engines {
 
   val table: Seq[EngineEntry] = Seq(
     EngineEntry("model", simulated = false, _ => new PassEngine(new RasterModel(_))),
-    EngineEntry("model", simulated = false, _ => new PassEngine(new RasterModel(_))),
     EngineEntry("reference", simulated = false, _ => new PassEngine(new ReferenceRenderer(_)))
   )
 
@@ -26,6 +25,6 @@ object Engines {
   val model: Option[RasterConfig => PassRenderer] = Some(new RasterModel(_))
 
   def byName(name: String): EngineEntry = table.find(_.name == name).getOrElse(
-    throw InputError(s"--engine: $name is not built yet; use one of ${table.map(_.name).mkString(", ")}")
+    throw InputError(s"--engine: $name is not built yet; choose one of ${table.map(_.name).mkString(", ")}")
   )
 }

@@ -1,6 +1,6 @@
 package frustum.judge
 
-import frustum.reference.raster.{Attributes, ExactCoverage, Sampler, ScreenVertex, TriangleAttributes}
+import frustum.reference.raster.{Attributes, ExactCoverage, Sampler, ScreenVertex, Shading, TriangleAttributes}
 import frustum.spec.{FramePass, RenderState, Wrap}
 
 /** Texels against the reference's.
@@ -37,7 +37,7 @@ object AttributeJudge {
 
   /** The verdict on one fragment, None where it is not judged. */
   def one(state: RenderState, truth: Attributes, texelS: Int, texelT: Int): Option[AttributeVerdict] =
-    state.texture.flatMap { texture =>
+    Shading.textureOf(state).flatMap { texture =>
       val (u, v) = (truth.s * texture.width, truth.t * texture.height)
       if (nearBorder(u) || nearBorder(v)) None
       else {

@@ -1,7 +1,7 @@
 package frustum.judge
 
 import frustum.host.PreparedFrame
-import frustum.reference.raster.ReferenceRaster
+import frustum.reference.raster.{ReferenceRaster, Shading}
 import scala.collection.mutable.ArrayBuffer
 
 /** The whole chain against unquantised input: charted, not bounded.
@@ -28,7 +28,7 @@ object EndToEndJudge {
     def empty: Layers      = Array.fill(width * frame.config.height)(ArrayBuffer.empty)
     val (drawn, truth)     = (empty, empty)
     for ((pass, log) <- frame.passes.zip(fragments); f <- log) {
-      val textured = pass.states(pass.triangles(f.triangle).state).texture.isDefined
+      val textured = Shading.textureOf(pass.states(pass.triangles(f.triangle).state)).isDefined
       drawn(f.y * width + f.x) += Option.when(textured)((f.texelS, f.texelT))
     }
     val reference = ReferenceRaster.drawEndToEnd(frame, f => truth(f.y * width + f.x) += f.texel)
