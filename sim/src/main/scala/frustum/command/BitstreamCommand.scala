@@ -2,8 +2,9 @@ package frustum.command
 
 import frustum.{BuildInfo, InputError}
 import frustum.boards.BoardTop
+import frustum.OutputFile
 import frustum.boards.flow.{BitstreamReport, Ice40Flow, Ice40Tools, MissingTool}
-import java.nio.file.{Files, Path, Paths, StandardCopyOption}
+import java.nio.file.{Files, Path, Paths}
 
 /** `bitstream TOP`: synthesis, place and route; writes `out/bitstream/TOP.bin` and the figures to `TOP.json` there. */
 object BitstreamCommand extends CommandLine {
@@ -21,7 +22,7 @@ object BitstreamCommand extends CommandLine {
       Seq("json", "bin").foreach(kind => Files.deleteIfExists(directory.resolve(s"${top.name}.$kind")))
       val report = build(top, arguments.seeds, directory)
       val file   = directory.resolve(s"${top.name}.json")
-      write(file, ujson.write(report.json(BuildInfo.version), indent = 2) + "\n")
+      OutputFile.writeText(file, ujson.write(report.json(BuildInfo.version), indent = 2) + "\n")
       println(s"wrote $file")
       verdict(report)
     }
@@ -40,17 +41,11 @@ object BitstreamCommand extends CommandLine {
 
   private def verdict(report: BitstreamReport): Int = {
     val top = report.top
-    if (!report.fits) println(s"error: ${top.name} does not fit the ${top.part.name}; see out/bitstream/${top.name}.json")
+    if (!report.fits) Console.err.println(s"error: ${top.name} does not fit the ${top.part.name}; see out/bitstream/${top.name}.json")
     else if (!report.meetsTarget) {
       val slow = report.shortfalls ++ report.icetimeMHz.filter(_ < top.targetMHz.toDouble).map(mhz => s"icetime $mhz MHz")
-      println(s"error: ${top.name} misses its target of ${top.targetMHz} MHz: ${slow.mkString("; ")}")
+      Console.err.println(s"error: ${top.name} misses its target of ${top.targetMHz} MHz: ${slow.mkString("; ")}")
     } else println(f"${top.name}: fits, ${report.coreMHz.min}%.2f MHz at the least of ${report.placements.length} seeds")
     if (report.meetsTarget) 0 else 1
-  }
-
-  private def write(file: Path, text: String): Unit = {
-    val part = file.resolveSibling(s".${file.getFileName}.part")
-    Files.writeString(part, text)
-    Files.move(part, file, StandardCopyOption.REPLACE_EXISTING)
   }
 }

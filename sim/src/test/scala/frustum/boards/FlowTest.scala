@@ -1,7 +1,7 @@
 package frustum.boards
 
 import frustum.boards.flow._
-import java.nio.file.{Files, Path}
+import java.nio.file.{Files, Path, Paths}
 import org.scalatest.funsuite.AnyFunSuite
 
 /** The whole flow on a small design. Only with native tools: YoWASP needs half a minute to prepare itself. */
@@ -12,6 +12,12 @@ class FlowTest extends AnyFunSuite {
     Ice40Tools.find(_ => cancel("the native tools are too old"))
   }
 
+  private def scratch(): Path = {
+    val parent = Paths.get("tmp")
+    Files.createDirectories(parent)
+    Files.createTempDirectory(parent, "flow")
+  }
+
   private def pins(directory: Path): String = {
     val file = directory.resolve("blink.pcf")
     Files.writeString(file, "set_io clk 35\nset_io led 11\nset_io resetn 46\nset_io sck 4\n")
@@ -20,7 +26,7 @@ class FlowTest extends AnyFunSuite {
 
   test("a small design becomes a bitstream with its figures") {
     val tools     = native
-    val directory = Files.createTempDirectory("flow")
+    val directory = scratch()
     val top       = BlinkTop.table(36, pins(directory))
     val report    = Ice40Flow.run(top, 1 to 2, directory, tools, println(_))
     assert(report.fits && report.meetsTarget, report.shortfalls)
@@ -33,7 +39,7 @@ class FlowTest extends AnyFunSuite {
 
   test("a target out of reach is reported, not hidden") {
     val tools     = native
-    val directory = Files.createTempDirectory("flow")
+    val directory = scratch()
     val top       = BlinkTop.table(180, pins(directory))
     val report    = Ice40Flow.run(top, 1 to 1, directory, tools, _ => ())
     assert(report.fits && !report.meetsTarget)
