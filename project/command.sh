@@ -1,5 +1,5 @@
-# Runs a command of the workbench, such as ./sbt "render --scene teapot", on its compiled classes and outside of sbt, so
-# that exit code and stderr are the command's own. Sourced by ./sbt; `jar` is sbt's launcher.
+# Runs a command of the workbench, such as ./sbt "render --scene teapot", on its compiled classes and outside of
+# sbt, so that exit code and stderr are the command's own. Sourced by ./sbt; `jar` is sbt's launcher.
 
 # is_command WORDS...: one command line, or a command's name followed by its options as words of their own.
 is_command() {
@@ -7,15 +7,16 @@ is_command() {
   names=" $(sed -n 's/^val commandNames = Seq(\(.*\))$/\1/p' build.sbt | tr -d '",') "
   local line=${1-}
   local name=${line%%[[:space:]]*}
-  [ -n "$name" ] && [[ $names == *" $name "* ]] && { [ $# = 1 ] || { [ "$name" = "$line" ] && [[ $2 == -* ]]; }; }
+  [ -n "$name" ] && [[ $names == *" $name "* ]] || return 1
+  [ $# = 1 ] || { [ "$name" = "$line" ] && [[ $2 == -* ]]; }
 }
 
-# compiled: whether .cache/classpath is newer than every source, and than every folder of sources, which change when a
-# file is removed.
+# compiled: whether the classes are there and .cache/classpath is newer than every source, and than every folder of
+# sources, which change when a file is removed.
 compiled() {
-  [ -e .cache/classpath ] && [ -d sim/target ] &&
-    [ -z "$(find build.sbt project/*.sbt project/build.properties {hw,boards,sim}/src/main -newer .cache/classpath 2>/dev/null |
-      head -n 1)" ]
+  [ -e .cache/classpath ] && [ -e "$(cut -d: -f1 .cache/classpath)/frustum/command/Main.class" ] || return 1
+  local sources=(build.sbt project/*.sbt project/build.properties {hw,boards,sim}/src/main)
+  [ -z "$(find "${sources[@]}" -newer .cache/classpath 2>/dev/null | head -n 1)" ]
 }
 
 run_command() {

@@ -9,12 +9,25 @@ class LauncherTest extends AnyFunSuite {
     Seq("bash", "-c", ". project/command.sh; is_command \"$@\"", "bash").++(words).! == 0
 
   test("a command line, or a command and its options, is run outside of sbt") {
-    for (words <- Seq(Seq("demo"), Seq("render --scene teapot"), Seq("render", "--obj", "a b.obj"), Seq("render --bad")))
+    for (
+      words <-
+        Seq(Seq("demo"), Seq("render --scene teapot"), Seq("render", "--obj", "a b.obj"), Seq("render --bad"))
+    )
       assert(taken(words: _*), words)
   }
 
   test("anything else is sbt's") {
-    for (words <- Seq(Seq(), Seq("test"), Seq("sim/test"), Seq("demo", "test"), Seq("clean", "demo"), Seq("renderer"), Seq("--help")))
+    for (
+      words <- Seq(
+        Seq(),
+        Seq("test"),
+        Seq("sim/test"),
+        Seq("demo", "test"),
+        Seq("clean", "demo"),
+        Seq("renderer"),
+        Seq("--help")
+      )
+    )
       assert(!taken(words: _*), words)
   }
 }

@@ -10,42 +10,47 @@ class RenderArgumentsTest extends AnyFunSuite {
   private val report       = folder.resolve("report.json").toString
 
   private val table = Seq(
-    "--bad"                                 -> Seq("--bad", "--help"),
-    "--scene"                               -> Seq("--scene"),
-    "--scene bunny"                         -> Seq("--scene", "teapot"),
-    "stray"                                 -> Seq("stray"),
-    "--scene cube --obj x.obj"              -> Seq("--obj", "--scene"),
-    "--obj /no/such/mesh.obj"               -> Seq("/no/such/mesh.obj"),
-    "--texture /no/such/picture.png"        -> Seq("/no/such/picture.png"),
-    "--eye 1,2"                             -> Seq("--eye", "x,y,z"),
-    "--at 1,2,nan"                          -> Seq("--at", "finite"),
-    "--up 1,2,x"                            -> Seq("--up", "number"),
-    "--eye 0,0,0 --at 0,0,0"                -> Seq("eye", "at"),
-    "--fov 0"                               -> Seq("--fov", "0"),
-    "--fov 180"                             -> Seq("field of view"),
-    "--near -1"                             -> Seq("near"),
-    "--near 5 --far 4"                      -> Seq("near", "far"),
-    "--ortho 0"                             -> Seq("--ortho"),
-    "--size 240"                            -> Seq("--size", "240x320"),
-    "--size 0x320"                          -> Seq("--size"),
-    "--size 5000x320"                       -> Seq("--size", "5000"),
-    "--light up"                            -> Seq("--light", "x,y,z"),
-    "--cull front"                          -> Seq("--cull", "back"),
-    "--filter bilinear"                     -> Seq("--filter", "nearest"),
-    "--filter cubic"                        -> Seq("--filter", "cubic"),
-    "--wrap border"                         -> Seq("--wrap", "clamp"),
-    "--background red"                      -> Seq("--background", "RRGGBB"),
-    "--engine gpu"                          -> Seq("--engine", "reference"),
-    "--frames 0"                            -> Seq("--frames"),
-    "--frames 2"                            -> Seq("--out", "%d"),
-    "--turn fast"                           -> Seq("--turn"),
-    "--wave x.fst"                          -> Seq("--wave", "hardware"),
-    "--seed x"                              -> Seq("--seed")
+    "--bad"                          -> Seq("--bad", "--help"),
+    "--scene"                        -> Seq("--scene"),
+    "--scene bunny"                  -> Seq("--scene", "teapot"),
+    "stray"                          -> Seq("stray"),
+    "--scene cube --obj x.obj"       -> Seq("--obj", "--scene"),
+    "--obj /no/such/mesh.obj"        -> Seq("/no/such/mesh.obj"),
+    "--texture /no/such/picture.png" -> Seq("/no/such/picture.png"),
+    "--eye 1,2"                      -> Seq("--eye", "x,y,z"),
+    "--at 1,2,nan"                   -> Seq("--at", "finite"),
+    "--up 1,2,x"                     -> Seq("--up", "number"),
+    "--eye 0,0,0 --at 0,0,0"         -> Seq("eye", "at"),
+    "--fov 0"                        -> Seq("--fov", "0"),
+    "--fov 180"                      -> Seq("field of view"),
+    "--near -1"                      -> Seq("near"),
+    "--near 5 --far 4"               -> Seq("near", "far"),
+    "--ortho 0"                      -> Seq("--ortho"),
+    "--size 240"                     -> Seq("--size", "240x320"),
+    "--size 0x320"                   -> Seq("--size"),
+    "--size 5000x320"                -> Seq("--size", "5000"),
+    "--light up"                     -> Seq("--light", "x,y,z"),
+    "--cull front"                   -> Seq("--cull", "back"),
+    "--filter bilinear"              -> Seq("--filter", "nearest"),
+    "--filter cubic"                 -> Seq("--filter", "cubic"),
+    "--wrap border"                  -> Seq("--wrap", "clamp"),
+    "--background red"               -> Seq("--background", "RRGGBB"),
+    "--engine gpu"                   -> Seq("--engine", "reference"),
+    "--frames 0"                     -> Seq("--frames"),
+    "--frames 2"                     -> Seq("--out", "%d"),
+    "--turn fast"                    -> Seq("--turn"),
+    "--wave x.fst"                   -> Seq("--wave", "hardware"),
+    "--seed x"                       -> Seq("--seed")
   )
 
   for ((line, fragments) <- table) test(s"render $line") {
     val engine = if (line.contains("--engine")) Nil else Seq("--engine", "reference")
-    val run = CommandRunner.run("render" +: (Words.split(line) ++ engine ++ Seq("--out", out, "--report", report)): _*)
+    val run    = CommandRunner.run("render" +: (Words.split(line) ++ engine ++ Seq(
+      "--out",
+      out,
+      "--report",
+      report
+    )): _*)
     assert(run.code == 2, run)
     assert(run.err.length == 1 && run.err.head.startsWith("error: "), run)
     fragments.foreach(f => assert(run.err.head.contains(f), run.err.head))
@@ -54,8 +59,19 @@ class RenderArgumentsTest extends AnyFunSuite {
 
   test("an output folder that is a file is refused") {
     val file = Files.createTempFile("render", ".txt")
-    val run  = CommandRunner.run("render", "--engine", "reference", "--scene", "floor", "--size", "32x32", "--out", s"$file/a.png",
-      "--report", report)
+    val run  = CommandRunner.run(
+      "render",
+      "--engine",
+      "reference",
+      "--scene",
+      "floor",
+      "--size",
+      "32x32",
+      "--out",
+      s"$file/a.png",
+      "--report",
+      report
+    )
     assert(run.code == 2 && run.err.length == 1 && run.err.head.contains(file.toString), run)
   }
 

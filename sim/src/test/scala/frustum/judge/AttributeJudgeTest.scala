@@ -30,19 +30,48 @@ class AttributeJudgeTest extends AnyFunSuite {
     // The same triangles with w = 1 everywhere are what an affine interpolator computes.
     val affine  = log(floor.copy(vertices = floor.vertices.map(_.copy(qMantissa = 32768, qExponent = 16))))
     val verdict = AttributeJudge.judge(floor, affine)
-    assert(verdict.wrong > verdict.judged / 2 && verdict.wrongByMoreThanOne > verdict.judged / 3 && verdict.maxError > 2)
+    assert(
+      verdict.wrong > verdict.judged / 2 && verdict.wrongByMoreThanOne > verdict.judged / 3 &&
+        verdict.maxError > 2
+    )
   }
 
   test("within 1/1024 texel of a border nothing is judged") {
-    def judged(offset: Double) = AttributeJudge.judge(pass(Seq(textured),
-      (0, Seq(vertex(0, 0, s = offset, t = 0.03), vertex(40, 0, s = offset, t = 0.03), vertex(0, 40, s = offset, t = 0.03)))),
-      Seq(LoggedFragment(0, 2, 2, 0, 0, 0))).judged
+    def judged(offset: Double) = AttributeJudge.judge(
+      pass(
+        Seq(textured),
+        (
+          0,
+          Seq(
+            vertex(0, 0, s = offset, t = 0.03),
+            vertex(40, 0, s = offset, t = 0.03),
+            vertex(0, 40, s = offset, t = 0.03)
+          )
+        )
+      ),
+      Seq(LoggedFragment(0, 2, 2, 0, 0, 0))
+    ).judged
     assert(judged(0) == 0 && judged(3 / 65536.0) == 0 && judged(5 / 65536.0) == 1)
   }
 
   test("distances in each wrap mode") {
-    assert(AttributeJudge.distance(0.5, 15, 16, Wrap.Repeat) == 1 && AttributeJudge.distance(-0.5, 0, 16, Wrap.Repeat) == 1)
-    assert(AttributeJudge.distance(20.5, 15, 16, Wrap.Clamp) == 0 && AttributeJudge.distance(0.5, 15, 16, Wrap.Clamp) == 15)
-    assert(AttributeJudge.distance(16.5, 15, 16, Wrap.Mirror) == 0 && AttributeJudge.distance(-1.5, 0, 16, Wrap.Mirror) == 1)
+    assert(AttributeJudge.distance(0.5, 15, 16, Wrap.Repeat) == 1 && AttributeJudge.distance(
+      -0.5,
+      0,
+      16,
+      Wrap.Repeat
+    ) == 1)
+    assert(AttributeJudge.distance(20.5, 15, 16, Wrap.Clamp) == 0 && AttributeJudge.distance(
+      0.5,
+      15,
+      16,
+      Wrap.Clamp
+    ) == 15)
+    assert(AttributeJudge.distance(16.5, 15, 16, Wrap.Mirror) == 0 && AttributeJudge.distance(
+      -1.5,
+      0,
+      16,
+      Wrap.Mirror
+    ) == 1)
   }
 }

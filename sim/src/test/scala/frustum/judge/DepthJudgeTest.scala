@@ -31,9 +31,10 @@ class DepthJudgeTest extends AnyFunSuite {
   }
 
   test("holes of an alpha-tested texture let through what is behind") {
-    val holes = RenderState(Some(TextureRef(0, 3, 3, TexelFormat.Rgba4444)), combine = Combine.Replace, alphaRef = 16)
-    val grid  = Array.tabulate(32768)(i => if (i % 2 == 0) 0xffff else 0xfff0)
-    val scene = pass(Seq(RenderState(), holes), quad(0, 0, 8, 8, 0, 200) ++ quad(0, 0, 8, 8, 1, 100): _*)
+    val holes =
+      RenderState(Some(TextureRef(0, 3, 3, TexelFormat.Rgba4444)), combine = Combine.Replace, alphaRef = 16)
+    val grid      = Array.tabulate(32768)(i => if (i % 2 == 0) 0xffff else 0xfff0)
+    val scene     = pass(Seq(RenderState(), holes), quad(0, 0, 8, 8, 0, 200) ++ quad(0, 0, 8, 8, 1, 100): _*)
     val fragments = log(scene)
     assert(judge(scene, fragments, grid) == DepthVerdict(0, 0))
     val wrongTexel = fragments.map(f => f.copy(texelS = f.texelS ^ 1))

@@ -18,8 +18,8 @@ object Shading {
     )
   }
 
-  /** Combines vertex colour and texel by the texture environment (OpenGL 2.1, table 3.21): where the texture has no
-    * alpha the fragment keeps the vertex's.
+  /** Combines vertex colour and texel by the texture environment (OpenGL 2.1, table 3.21): where the texture
+    * has no alpha the fragment keeps the vertex's.
     */
   def color(state: RenderState, memory: Array[Int], at: Attributes, texel: Option[(Int, Int)]): Rgba = {
     val vertex = Rgba(clamp(at.r), clamp(at.g), clamp(at.b), clamp(at.a))
@@ -29,7 +29,9 @@ object Shading {
         val opaque = texture.format == TexelFormat.Rgb565
         if (state.combine == Combine.Replace) c.copy(a = if (opaque) vertex.a else c.a)
         else Rgba(
-          c.r * vertex.r / 255, c.g * vertex.g / 255, c.b * vertex.b / 255,
+          c.r * vertex.r / 255,
+          c.g * vertex.g / 255,
+          c.b * vertex.b / 255,
           if (opaque) vertex.a else c.a * vertex.a / 255
         )
       case _ => vertex

@@ -25,23 +25,28 @@ class ReferenceRasterTest extends AnyFunSuite {
   test("a floor in perspective has the coordinates of the points that the rays meet") {
     val scene  = Scenes.floor
     val config = RasterConfig(width = 80, height = 60)
-    val frame  = Driver.prepare(scene, scene.camera, DrawOptions(None, cullBack = false, Wrap.Repeat, 0), config, 0)
-    val focal  = 1 / scala.math.tan(scala.math.toRadians(30))
-    var seen   = 0
-    ReferenceRaster.drawEndToEnd(frame, f => {
-      // The ray (x, y, -1) meets the plane y = -1 at distance z = -1 / y; 8 repeats over x -50..50 and z -1..-100.
-      val rayX = ((f.x + 0.5) / 80 * 2 - 1) * 80 / 60 / focal
-      val z    = -1 / ((1 - (f.y + 0.5) / 60 * 2) / focal)
-      assert((f.at.s - (rayX * z + 50) / 100 * 8).abs < 1e-6, s"s at (${f.x}, ${f.y})")
-      assert((f.at.t - (z - 1) / 99 * 8).abs < 1e-6, s"t at (${f.x}, ${f.y})")
-      seen += 1
-    })
+    val frame  =
+      Driver.prepare(scene, scene.camera, DrawOptions(None, cullBack = false, Wrap.Repeat, 0), config, 0)
+    val focal = 1 / scala.math.tan(scala.math.toRadians(30))
+    var seen  = 0
+    ReferenceRaster.drawEndToEnd(
+      frame,
+      f => {
+        // The ray (x, y, -1) meets the plane y = -1 at z = -1 / y; 8 repeats over x -50..50 and z -1..-100.
+        val rayX = ((f.x + 0.5) / 80 * 2 - 1) * 80 / 60 / focal
+        val z    = -1 / ((1 - (f.y + 0.5) / 60 * 2) / focal)
+        assert((f.at.s - (rayX * z + 50) / 100 * 8).abs < 1e-6, s"s at (${f.x}, ${f.y})")
+        assert((f.at.t - (z - 1) / 99 * 8).abs < 1e-6, s"t at (${f.x}, ${f.y})")
+        seen += 1
+      }
+    )
     assert(seen > 1500)
   }
 
   test("wrap modes") {
     val expected = Seq(
-      Wrap.Repeat -> Seq(6, 7, 0, 1, 7, 0, 7, 0), Wrap.Clamp -> Seq(0, 0, 0, 1, 7, 7, 7, 7),
+      Wrap.Repeat -> Seq(6, 7, 0, 1, 7, 0, 7, 0),
+      Wrap.Clamp  -> Seq(0, 0, 0, 1, 7, 7, 7, 7),
       Wrap.Mirror -> Seq(1, 0, 0, 1, 7, 7, 0, 0)
     )
     for ((mode, texels) <- expected; (texel, i) <- Seq(-2, -1, 0, 1, 7, 8, 15, 16).zipWithIndex)
@@ -63,8 +68,8 @@ class ReferenceRasterTest extends AnyFunSuite {
   }
 
   test("nearer wins in either order, the write mask and the functions hold") {
-    val plain         = RenderState()
-    val (red, green)  = (0xff0000ff, 0x00ff00ff)
+    val plain                                                 = RenderState()
+    val (red, green)                                          = (0xff0000ff, 0x00ff00ff)
     def two(a: RenderState, b: RenderState, za: Int, zb: Int) =
       at(draw(pass(Seq(a, b), quad(0, 0, 8, 8, 0, za, red) ++ quad(0, 0, 8, 8, 1, zb, green): _*)), 3, 3)
     assert(two(plain, plain, 10, 20) == 0xff0000 && two(plain, plain, 20, 10) == 0x00ff00)
@@ -76,15 +81,24 @@ class ReferenceRasterTest extends AnyFunSuite {
 
   test("blending weighs by source alpha, the alpha test drops what is below its reference") {
     val blended = RenderState(blend = true)
-    val drawn   = draw(pass(Seq(RenderState(), blended), quad(0, 0, 8, 8, 0, 20, 0xff0000ff) ++ quad(0, 0, 8, 8, 1, 10, 0x00ff0033): _*))
+    val drawn   = draw(pass(
+      Seq(RenderState(), blended),
+      quad(0, 0, 8, 8, 0, 20, 0xff0000ff) ++ quad(0, 0, 8, 8, 1, 10, 0x00ff0033): _*
+    ))
     assert(at(drawn, 3, 3) == 0xcc3300)
     for ((alpha, passes) <- Seq(0x80 -> true, 0x7a -> false))
-      assert((at(draw(pass(Seq(RenderState(alphaRef = 16)), quad(0, 0, 8, 8, rgba = 0xffffff00 | alpha): _*)), 3, 3) != 0) == passes)
+      assert((at(
+        draw(pass(Seq(RenderState(alphaRef = 16)), quad(0, 0, 8, 8, rgba = 0xffffff00 | alpha): _*)),
+        3,
+        3
+      ) != 0) == passes)
   }
 
   test("passes of different regions make up one frame") {
     val whole  = Passes.random(5, 40)
     val halves = Seq(TileRegion(0, 0, 0, 2), TileRegion(1, 0, 1, 2)).map(r => whole.copy(region = r))
-    assert(ReferenceRaster.draw(frame(whole)).rgb888 sameElements ReferenceRaster.draw(frame(halves: _*)).rgb888)
+    assert(
+      ReferenceRaster.draw(frame(whole)).rgb888 sameElements ReferenceRaster.draw(frame(halves: _*)).rgb888
+    )
   }
 }
