@@ -11,25 +11,20 @@ case class Span(config: RasterConfig) extends Bundle {
   val end         = Bool()
 }
 
-/** The window of a tile in which a triangle may lie, tile coordinates, inclusive. */
-case class Window(config: RasterConfig) extends Bundle {
-  val left, right = UInt(config.tileLog2Width bits)
-  val top, bottom = UInt(config.tileLog2Height bits)
-}
-
-/** Finds the pixels of a triangle in a window: from the top row down, each row's span, then the end mark.
+/** Finds the pixels of a triangle in a tile: from the top row down, each row's span, then the end mark.
   *
   * Each of the three edge functions tracks how many pixels it cuts off its side of the row (left where the function grows
   * to the right), stepping inwards or outwards from the row above, all three at once. So a row costs two clocks and the
   * largest lateral move of an edge, and is found while the row before is being drawn. Top-left rule (Pineda 1988, with
   * integer edge functions at pixel centres): an exact zero is inside for a top or left edge alone.
   *
-  * To load: `window`, then per edge `edge` (function at the window's starting end, 1/256 pixel^2) and its steps per
-  * 1/16 pixel (x then y, edge after edge, by `step`); then `start`. All while `idle`.
+  * To load, while `idle`: per edge its steps per 1/16 pixel (x then y, edge after edge) and its function in the top row,
+  * at the left column or, where the x step is negative, at `lastColumn`, in 1/256 pixel^2; then `start`.
   */
 case class EdgeWalker(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val window = in(Window(config))
+    val lastColumn = in UInt (config.tileLog2Width bits) // of the tile that lie on the screen
+    val lastRow    = in UInt (config.tileLog2Height bits)
     val step   = slave Flow (SInt(17 bits))
     val edge   = slave Flow (new Bundle { val index = UInt(2 bits); val value = SInt(32 bits) })
     val start  = in Bool ()
@@ -38,7 +33,7 @@ case class EdgeWalker(config: RasterConfig) extends Component {
   }
 
   val cutBits = config.tileLog2Width + 1
-  val width   = RegNext((io.window.right - io.window.left).resize(cutBits) + 1)
+  val width   = RegNext(io.lastColumn.resize(cutBits) + 1)
 
   object State extends SpinalEnum { val Idle, Seek, Step, End = newElement() }
   val state = RegInit(State.Idle)
@@ -104,22 +99,22 @@ case class EdgeWalker(config: RasterConfig) extends Component {
   val cutRight = deepest(right = true)
   val some     = !edges.map(_.outside).orR && cutLeft +^ cutRight < width
   spans.y := row
-  spans.first := (io.window.left + cutLeft).resized
-  spans.last := (io.window.right - cutRight).resized
+  spans.first := cutLeft.resized
+  spans.last := (io.lastColumn - cutRight).resized
   spans.end := state === State.End
   spans.valid := state === State.Step && some || state === State.End
   stepRow := state === State.Step && (spans.ready || !some)
 
   switch(state) {
     is(State.Idle) {
-      row := io.window.top
+      row := 0
       when(io.start) { state := State.Seek }
     }
     is(State.Seek) { when(edges.map(_.settled).andR) { state := State.Step } }
     is(State.Step) {
       when(stepRow) {
         row := row + 1
-        state := (row === io.window.bottom) ? State.End | State.Seek
+        state := (row === io.lastRow) ? State.End | State.Seek
       }
     }
     is(State.End) { when(spans.ready) { state := State.Idle } }

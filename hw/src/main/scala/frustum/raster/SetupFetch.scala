@@ -12,11 +12,6 @@ case class ScratchWrite() extends Bundle {
   val data = SInt(32 bits)
 }
 
-/** The pixels whose centres lie in a triangle's bounding box: first and last column, first and last row. */
-case class PixelBox() extends Bundle {
-  val firstX, lastX, firstY, lastY = SInt(12 bits)
-}
-
 /** Brings a triangle's three vertices from the store into the set-up engine's scratch memory: vertex 0's fields and the
   * differences of the others', in the scales that [[frustum.spec.SetupProgram]] takes, one word a clock and three clocks
   * a store word. Begins with `start`, ends with a pulse on `done`.
@@ -35,7 +30,6 @@ case class SetupFetch(layout: StoreLayout) extends Component {
     /** Instead of the data, 2^scaleShift is to be written. */
     val scale      = out Bool ()
     val scaleShift = out UInt (5 bits)
-    val box        = out(PixelBox())
   }
 
   object State extends SpinalEnum { val Idle, Exponents, Read, Wait, Write = newElement() }
@@ -86,15 +80,6 @@ case class SetupFetch(layout: StoreLayout) extends Component {
   io.write.word := Vec((0 to 2).map(v => perStep(s => U(s.targets(v), 6 bits))))(vertex.resized)
   io.write.data := (relative && perStep(s => Bool(s.upper))) ? (difference |<< 16) | difference
 
-  val box = Reg(PixelBox())
-  io.box := box
-  val first = ((centre + 15) >> 4).resize(12)
-  val last  = (centre >> 4).resize(12)
-  val isX   = perStep(s => Bool(s == steps.head))
-  val isY   = perStep(s => Bool(s.field == Field.Position && s.targets.head == Y0))
-  val lower = vertex === 0 || first < (isX ? box.firstX | box.firstY)
-  val upper = vertex === 0 || last > (isX ? box.lastX | box.lastY)
-
   io.done := False
   switch(state) {
     is(State.Idle) {
@@ -115,10 +100,6 @@ case class SetupFetch(layout: StoreLayout) extends Component {
     is(State.Wait) { when(io.store.rsp.valid) { state := State.Write } }
     is(State.Write) {
       step := step + 1
-      when(isX && lower) { box.firstX := first }
-      when(isX && upper) { box.lastX := last }
-      when(isY && lower) { box.firstY := first }
-      when(isY && upper) { box.lastY := last }
       when(perStep(s => Bool(s.take == 16))) { word := word |<< 16 }
       when(perStep(s => Bool(s.take == 8))) { word := word |<< 8 }
       when(perStep(s => Bool(lastOfWord(s)))) { state := State.Read }
