@@ -1,5 +1,6 @@
 package frustum.fragment
 
+import frustum.blackbox.{ConditionalAdder, Tech}
 import frustum.raster.RenderStateWord
 import frustum.spec
 import frustum.spec.RasterConfig
@@ -13,7 +14,7 @@ import spinal.lib._
   * vertex's 8. It is exact at c = 0 and c = 255; Replace puts 255 for c, ColorOnly puts all ones for t, which rounds c to
   * the frame buffer's bits. An RGB565 texel has no alpha: the vertex's is kept.
   */
-case class Combine(config: RasterConfig) extends Component {
+case class Combine(config: RasterConfig, tech: Tech) extends Component {
   val io = new Bundle {
     val up    = slave(Stream(TexturedFragment(config)))
     val state = in(RenderStateWord())
@@ -55,14 +56,27 @@ case class Combine(config: RasterConfig) extends Component {
     next.x       := from.x
     next.y       := from.y
     next.z       := from.z
+    next.r       := product(from.texel.r, from.r)
+    next.g       := product(from.texel.g, from.g)
+    next.b       := product(from.texel.b, from.b)
+    next.a       := product(from.texel.a, from.a)
     next.tileEnd := from.tileEnd
-    def product(t: UInt, factor: UInt): UInt = ((t * factor + 128) >> 8).resize(widthOf(t))
-    next.r := product(from.texel.r, from.r)
-    next.g := product(from.texel.g, from.g)
-    next.b := product(from.texel.b, from.b)
-    next.a := product(from.texel.a, from.a)
     next
   }.m2sPipe(collapsBubble = false)
+
+  /** (t * factor + 128) >> 8 by a row of additions for each bit of t from the lowest, each sum halved: since factor is
+    * 256 at most, a sum stays below 512.
+    */
+  def product(t: UInt, factor: UInt): UInt = {
+    val sums = t.asBools.scanLeft(U(128, 9 bits)) { (sum, bit) =>
+      val row = ConditionalAdder(9, tech)
+      row.io.condition := bit
+      row.io.a         := sum
+      row.io.b         := factor
+      row.io.result |>> 1
+    }
+    sums.last.drop(8 - widthOf(t)).asUInt.resized
+  }
 
   io.down << combined
   io.busy := operands.valid || combined.valid

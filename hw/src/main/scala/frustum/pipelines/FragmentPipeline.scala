@@ -32,7 +32,7 @@ case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component 
   val divide   = PerspectiveDivide(tech)
   val texture  = TextureUnit(config, tech)
   val waiting  = StreamFifo(FragmentAttributes(config), FragmentPipeline.InFlight)
-  val combine  = Combine(config)
+  val combine  = Combine(config, tech)
   val alpha    = AlphaTest(config)
   val depth    = DepthTest(config)
   val blend    = Blend(config)
