@@ -64,18 +64,27 @@ case class Combine(config: RasterConfig, tech: Tech) extends Component {
     next
   }.m2sPipe(collapsBubble = false)
 
-  /** (t * factor + 128) >> 8 by a row of additions for each bit of t from the lowest, each sum halved: since factor is
-    * 256 at most, a sum stays below 512.
+  /** (t * factor + 128) >> 8, t by its lower three bits and its upper ones side by side, a row of additions for each
+    * bit from the lowest; since factor is 256 at most and every sum is halved, none exceeds 511.
     */
   def product(t: UInt, factor: UInt): UInt = {
-    val sums = t.asBools.scanLeft(U(128, 9 bits)) { (sum, bit) =>
-      val row = ConditionalAdder(9, tech)
-      row.io.condition := bit
-      row.io.a         := sum
-      row.io.b         := factor
-      row.io.result |>> 1
+    def rows(bits: Seq[Bool], start: Int): (UInt, Seq[Bool]) = {
+      var sum     = U(start, 9 bits)
+      var dropped = Seq.empty[Bool]
+      for (bit <- bits) {
+        val row = ConditionalAdder(9, tech)
+        row.io.condition := bit
+        row.io.a         := sum
+        row.io.b         := factor
+        dropped = dropped :+ row.io.result.lsb
+        sum = row.io.result |>> 1
+      }
+      (sum, dropped)
     }
-    sums.last.drop(8 - widthOf(t)).asUInt.resized
+    val (lower, _)        = rows(t.asBools.take(3).toSeq, 128)
+    val (upper, fraction) = rows(t.asBools.drop(3).toSeq, 0)
+    val exact = upper ## Cat(fraction) // in units of 2^3, as lower
+    (exact.asUInt + lower).drop(5).asUInt.resize(widthOf(t))
   }
 
   io.down << combined
