@@ -33,7 +33,10 @@ case class DepthTest(config: RasterConfig) extends Component {
   val storedBank = RegNext(bank)
   val depth      = memory.io.readData.asUInt
   val passing    = io.state.depthFunction
-  val pass       = Mux(stored.z === depth, passing(1), Mux(stored.z < depth, passing(0), passing(2)))
+  // Two subtractions: synthesis makes a comparison for equality of many levels of logic.
+  val nearer  = (stored.z -^ depth).msb
+  val farther = (depth -^ stored.z).msb
+  val pass    = Mux(nearer, passing(0), Mux(farther, passing(2), passing(1)))
   memory.io.writeEnable  := stored.valid && !stored.tileEnd && pass && io.state.depthWrite
   memory.io.writeBank    := storedBank
   memory.io.writeAddress := stored.address

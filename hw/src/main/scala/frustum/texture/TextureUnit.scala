@@ -37,7 +37,7 @@ case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
 
   val memory  = SinglePortRam(config.textureTexels, 16, tech)
   val address = Mux(io.texels.valid, io.texels.address, TexelAddress(indexed.s, indexed.t, io.state))
-  memory.io.enable    := io.texels.fire || read.fire
+  memory.io.enable    := Mux(io.texels.valid, io.texels.ready, fetched.ready)
   memory.io.write     := io.texels.fire
   memory.io.address   := address.resized
   memory.io.writeData := io.texels.data
