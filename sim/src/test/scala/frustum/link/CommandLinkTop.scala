@@ -42,6 +42,9 @@ final class LinkSink(config: RasterConfig, clock: ClockDomain, texelWrites: Stre
   val jobs   = ArrayBuffer.empty[Job]
   var done   = 0
 
+  /** While true no job gets done. */
+  var paused = false
+
   /** Called before reset is released. */
   def start(): Unit = {
     jobDone #= false
@@ -64,6 +67,7 @@ final class LinkSink(config: RasterConfig, clock: ClockDomain, texelWrites: Stre
         val region = TileRegion(job.x0.toInt, job.y0.toInt, job.x1.toInt, job.y1.toInt)
         jobs += Job(bank, count, color, region, readBank(bank))
         disturb(simRandom.nextInt(400))
+        while (paused) clock.waitSampling()
         jobDone #= true
         clock.waitSampling()
         jobDone #= false
