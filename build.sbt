@@ -53,10 +53,21 @@ lazy val sim = (project in file("sim"))
 
 lazy val frustum = (project in file(".")).aggregate(hw, boards, sim).settings(publish / skip := true)
 
-/** Every command of the workbench is an input task of the same name: `./sbt "render --scene teapot"`. */
+/** The class path of the workbench, compiled, for the launcher, which runs commands without sbt around them: their exit
+  * code and their stderr are then their own.
+  */
+val writeClasspath = taskKey[File]("compiles the workbench and writes its class path to .cache/classpath")
+writeClasspath := {
+  val file = (ThisBuild / baseDirectory).value / ".cache" / "classpath"
+  IO.write(file, (sim / Runtime / fullClasspath).value.files.mkString(java.io.File.pathSeparator))
+  file
+}
+
+/** Every command of the workbench by its name in sbt's own shell; alone on the command line ./sbt takes them itself. */
 val commandNames = Seq("demo", "render", "verilog", "bitstream", "bench")
 Global / commands ++= commandNames.map { name =>
   Command.args(name, "<args>") { (state, args) =>
-    s"sim/runMain frustum.command.Main $name ${args.mkString(" ")}" :: state
+    val quoted = args.map(a => if (a.exists(_.isWhitespace)) "\"" + a + "\"" else a)
+    s"sim/runMain frustum.command.Main $name ${quoted.mkString(" ")}" :: state
   }
 }

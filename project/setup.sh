@@ -56,6 +56,8 @@ launcher() {
 
 simulator() {
   need verilator verilator make make g++ g++
+  # Waveforms in FST are compressed.
+  want '[ -e /usr/include/zlib.h ]' zlib1g-dev
 }
 
 # prepare COMMAND: what one command line of sbt needs beyond Java.

@@ -3,19 +3,23 @@ package frustum
 import java.io.IOException
 import java.nio.file.{Files, Path, StandardCopyOption}
 
-/** Output files are written beside their place and moved there when complete, so that none is ever half written. */
+/** Output files are written beside their place and moved there when complete, so that none is ever half
+  * written.
+  */
 object OutputFile {
 
   /** @param body writes the file it is given */
   def write(file: Path)(body: Path => Unit): Unit = {
     val folder = file.toAbsolutePath.getParent
-    val part = try {
-      if (Files.isDirectory(file)) throw InputError(s"$file is a directory: name a file")
-      Files.createDirectories(folder)
-      Files.createTempFile(folder, s".${file.getFileName}", ".part")
-    } catch {
-      case e: IOException => throw InputError(s"$file cannot be written (${reason(e)}): name a file in a writable folder")
-    }
+    val part   =
+      try {
+        if (Files.isDirectory(file)) throw InputError(s"$file is a directory: name a file")
+        Files.createDirectories(folder)
+        Files.createTempFile(folder, s".${file.getFileName}", ".part")
+      } catch {
+        case e: IOException =>
+          throw InputError(s"$file cannot be written (${reason(e)}): name a file in a writable folder")
+      }
     try {
       body(part)
       part.toFile.setReadable(true, false)

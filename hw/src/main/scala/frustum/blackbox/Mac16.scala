@@ -4,27 +4,31 @@ import spinal.core._
 
 /** SB_MAC16 of the iCE40 UltraPlus (Lattice TN1295) as a 16 x 16 multiplier with input and output registers, so that
   * all its timing lies at registers: result two clocks after the operands, both stages held while CE is low.
-  * The registers inside the multiplier and the accumulators are not used.
+  *
+  * @param add O = A * B + {C, D} by the block's adders, otherwise O = A * B and C, D are not used
   */
-case class Mac16(signedA: Boolean, signedB: Boolean) extends BlackBox {
+case class Mac16(signedA: Boolean, signedB: Boolean, add: Boolean) extends BlackBox {
   setDefinitionName("SB_MAC16")
   private def bit(on: Boolean) = B(if (on) 1 else 0, 1 bits)
+  private def output  = B(if (add) 1 else 3, 2 bits) // the adder's register, or the product's
+  private def product = B(if (add) 2 else 0, 2 bits) // the 16 x 16 product as the adder's operand
+  private def carry   = B(if (add) 2 else 0, 2 bits) // the lower adder's carry into the upper
   addGeneric("NEG_TRIGGER", bit(false))
   addGeneric("A_REG", bit(true))
   addGeneric("B_REG", bit(true))
-  addGeneric("C_REG", bit(false))
-  addGeneric("D_REG", bit(false))
+  addGeneric("C_REG", bit(add))
+  addGeneric("D_REG", bit(add))
   addGeneric("TOP_8x8_MULT_REG", bit(false))
   addGeneric("BOT_8x8_MULT_REG", bit(false))
   addGeneric("PIPELINE_16x16_MULT_REG1", bit(false))
-  addGeneric("PIPELINE_16x16_MULT_REG2", bit(true)) // the registered 32-bit product
-  addGeneric("TOPOUTPUT_SELECT", B(3, 2 bits)) // product, upper half
-  addGeneric("TOPADDSUB_LOWERINPUT", B(0, 2 bits))
-  addGeneric("TOPADDSUB_UPPERINPUT", bit(false))
-  addGeneric("TOPADDSUB_CARRYSELECT", B(0, 2 bits))
-  addGeneric("BOTOUTPUT_SELECT", B(3, 2 bits)) // product, lower half
-  addGeneric("BOTADDSUB_LOWERINPUT", B(0, 2 bits))
-  addGeneric("BOTADDSUB_UPPERINPUT", bit(false))
+  addGeneric("PIPELINE_16x16_MULT_REG2", bit(!add)) // the product's register
+  addGeneric("TOPOUTPUT_SELECT", output)
+  addGeneric("TOPADDSUB_LOWERINPUT", product)
+  addGeneric("TOPADDSUB_UPPERINPUT", bit(add))
+  addGeneric("TOPADDSUB_CARRYSELECT", carry)
+  addGeneric("BOTOUTPUT_SELECT", output)
+  addGeneric("BOTADDSUB_LOWERINPUT", product)
+  addGeneric("BOTADDSUB_UPPERINPUT", bit(add))
   addGeneric("BOTADDSUB_CARRYSELECT", B(0, 2 bits))
   addGeneric("MODE_8x8", bit(false))
   addGeneric("A_SIGNED", bit(signedA))

@@ -31,8 +31,8 @@ case class SinglePortRam(words: Int, width: Int, tech: Tech) extends Component {
           ram.io.ADDRESS    := io.address.resize(14).asBits
           ram.io.DATAIN     := io.writeData(lane * 16, 16 bits)
           ram.io.MASKWREN   := B(0xf, 4 bits)
-          ram.io.WREN       := io.write && io.mask(lane)
-          ram.io.CHIPSELECT := io.enable && select === block
+          ram.io.WREN       := io.write && io.mask(lane) && select === block
+          ram.io.CHIPSELECT := io.enable // all blocks read: the address need not reach this pin
           ram.io.STANDBY    := False
           ram.io.SLEEP      := False
           ram.io.POWEROFF   := True

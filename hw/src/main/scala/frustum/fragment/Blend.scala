@@ -7,14 +7,14 @@ import spinal.core._
 import spinal.lib._
 
 /** Writes pixels to the colour buffer of one tile, in two banks, blended by source alpha where the state says so; one a
-  * clock, latency 2 clocks. Never stalls but for a pixel that is still being blended.
+  * clock, latency 2 clocks, never stalls. [[Interlock]] keeps pixels apart that are still being blended.
   *
   * With w = a + (a >> 4), 0..32, a channel becomes (src w + dst (32 - w) + 16) >> 5, exact at both ends. Since w is the
   * sum of a's bits at their weights and of bit 4 once more, that is a sum of six terms, each src or dst.
   */
 case class Blend(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val up         = slave(Stream(PixelWrite(config)))
+    val up         = slave(Flow(PixelWrite(config)))
     val state      = in(RenderStateWord())
     val clear      = slave(TileClear(config))
     val clearColor = in Bits (16 bits)
@@ -49,13 +49,10 @@ case class Blend(config: RasterConfig) extends Component {
 
   val fetched = Flow(PixelWrite(config))
   val mixed   = Flow(Mixed())
-  val hazard = io.state.blend &&
-    (fetched.valid && fetched.address === io.up.address || mixed.valid && mixed.address === io.up.address)
-  val read = io.up.haltWhen(hazard).toFlow
-  fetched << read.m2sPipe
+  fetched << io.up.m2sPipe
   memory.io.readEnable  := True
-  memory.io.readBank    := read.bank
-  memory.io.readAddress := read.address
+  memory.io.readBank    := io.up.bank
+  memory.io.readAddress := io.up.address
 
   val stored = memory.io.readData
   val takeSource = fetched.a.asBits | !io.state.blend #* 5

@@ -1,5 +1,6 @@
 package frustum.fragment
 
+import frustum.blackbox.{ConditionalAdder, Tech}
 import frustum.raster.RenderStateWord
 import frustum.spec
 import frustum.spec.RasterConfig
@@ -13,7 +14,7 @@ import spinal.lib._
   * vertex's 8. It is exact at c = 0 and c = 255; Replace puts 255 for c, ColorOnly puts all ones for t, which rounds c to
   * the frame buffer's bits. An RGB565 texel has no alpha: the vertex's is kept.
   */
-case class Combine(config: RasterConfig) extends Component {
+case class Combine(config: RasterConfig, tech: Tech) extends Component {
   val io = new Bundle {
     val up    = slave(Stream(TexturedFragment(config)))
     val state = in(RenderStateWord())
@@ -55,14 +56,36 @@ case class Combine(config: RasterConfig) extends Component {
     next.x       := from.x
     next.y       := from.y
     next.z       := from.z
+    next.r       := product(from.texel.r, from.r)
+    next.g       := product(from.texel.g, from.g)
+    next.b       := product(from.texel.b, from.b)
+    next.a       := product(from.texel.a, from.a)
     next.tileEnd := from.tileEnd
-    def product(t: UInt, factor: UInt): UInt = ((t * factor + 128) >> 8).resize(widthOf(t))
-    next.r := product(from.texel.r, from.r)
-    next.g := product(from.texel.g, from.g)
-    next.b := product(from.texel.b, from.b)
-    next.a := product(from.texel.a, from.a)
     next
   }.m2sPipe(collapsBubble = false)
+
+  /** (t * factor + 128) >> 8, t by its lower three bits and its upper ones side by side, a row of additions for each
+    * bit from the lowest; since factor is 256 at most and every sum is halved, none exceeds 511.
+    */
+  def product(t: UInt, factor: UInt): UInt = {
+    def rows(bits: Seq[Bool], start: Int): (UInt, Seq[Bool]) = {
+      var sum     = U(start, 9 bits)
+      var dropped = Seq.empty[Bool]
+      for (bit <- bits) {
+        val row = ConditionalAdder(9, tech)
+        row.io.condition := bit
+        row.io.a         := sum
+        row.io.b         := factor
+        dropped = dropped :+ row.io.result.lsb
+        sum = row.io.result |>> 1
+      }
+      (sum, dropped)
+    }
+    val (lower, _)        = rows(t.asBools.take(3).toSeq, 128)
+    val (upper, fraction) = rows(t.asBools.drop(3).toSeq, 0)
+    val exact = upper ## Cat(fraction) // in units of 2^3, as lower
+    (exact.asUInt + lower).drop(5).asUInt.resize(widthOf(t))
+  }
 
   io.down << combined
   io.busy := operands.valid || combined.valid

@@ -51,8 +51,8 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   val tag          = Reg(Bits(7 bits))
   val clearColor   = Reg(Bits(16 bits))
   val region       = Reg(Vec.fill(4)(UInt(5 bits))) // y1, y0, x1, x0
-  val vertices     = Reg(UInt(16 bits)) // that arrived
-  val triangles    = Reg(UInt(16 bits)) // that arrived
+  val vertices     = Reg(UInt(CommandDecoder.CountBits bits)) // that arrived
+  val triangles    = Reg(UInt(CommandDecoder.CountBits bits)) // that arrived
   val stored       = Reg(UInt(11 bits)) // triangles in the bank
   val triangleState = Reg(Bits(4 bits))
 
@@ -64,11 +64,12 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   val take = False // the word in hand is payload and is used up
   val word = io.words.payload
   io.words.ready := take || state === header
-  when(take && io.words.valid) {
-    left := left - 1
-    data := data(15 downto 0) ## word
+  val took   = take && io.words.valid
+  val rotate = False // the next corner's index moves down
+  when(took)(left := left - 1)
+  when(took || rotate) {
+    data := Mux(rotate, data(31 downto 30) ## data(9 downto 0) ## data(29 downto 10), data(15 downto 0) ## word)
   }
-  val took = take && io.words.valid
   def after(next: SpinalEnumElement[DecoderState.type]): Unit = { take := True; when(io.words.valid)(state := next) }
 
   io.events.accepted        := state === finish && !refused
@@ -77,10 +78,15 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   io.events.triangleRefused := False
   io.events.incomplete      := False
 
-  // Addresses: of a vertex's word, a state, or a texel; counts up as words are written.
+  // Address of a vertex's word or a texel; counts up as words are written.
   val address  = Reg(UInt(16 bits))
+  val count    = False
   val tagRead  = Reg(Bool())
   val vertexAddress = ((data(9 downto 0) ## tagRead ## tagRead).asUInt +^ data(9 downto 0).asUInt).resize(16)
+  val texelAddressed = (data(10 downto 0) << 4).asUInt.resize(16)
+  when(count || state === loadVertex || state === load || state === loadTexel) {
+    address := Mux(count, address + 1, Mux(is_(Command.Texels), texelAddressed, vertexAddress))
+  }
   val beyond   = Reg(Bool()) // the vertex index is
 
   val check = VertexCheck()
@@ -106,9 +112,15 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   val boxWord = triangleState ## data(27 downto 20) ## firstX ## lastX ## box.io.firstY ## box.io.lastY
   io.store.cmd.valid   := False
   io.store.cmd.write   := state =/= read
-  io.store.cmd.address := (bank ## address.resize(layout.addressBits - 1)).asUInt
+  val second      = state === writeBox
+  val placeBits   = layout.bankAddressBits
+  val place       = UInt(placeBits bits)
+  place := address.resized
+  when(state === writeIndices || second)(place := layout.triangles + (stored ## second).asUInt.resize(placeBits))
+  when(state === writeState)(place := layout.states + triangleState.asUInt.resize(placeBits))
+  io.store.cmd.address := bank.asUInt @@ place
   io.store.cmd.data    := data
-  when(state === writeBox)(io.store.cmd.data := boxWord)
+  when(second)(io.store.cmd.data := boxWord)
   when(state === writeVertex && pair === 3)(io.store.cmd.data(31 downto 25) := tag ^ (check.io.fault ## B(0, 6 bits)))
 
   val texelFits = address < config.textureTexels
@@ -125,8 +137,10 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   io.job.x1            := region(2)
   io.job.x0            := region(3)
 
+  val (first, last) = (word(12 downto 8).asUInt, word(4 downto 0).asUInt)
+  val tiles    = Mux(state === regionX, U(config.tilesX - 1, 5 bits), U(config.tilesY - 1, 5 bits))
+  val badRange = (word & 0xe0e0) =/= 0 || first > last || last > tiles
   def refuseIf(condition: Bool): Unit = when(condition && io.words.valid)(refused := True)
-  def badRange(tiles: Int): Bool = word(15 downto 8).asUInt > word(7 downto 0).asUInt || word(7 downto 0).asUInt >= tiles
   def nextGroup(): Unit = state := Mux(left === 0, finish(), fetchFirst())
 
   switch(state) {
@@ -170,12 +184,11 @@ case class CommandDecoder(config: RasterConfig) extends Component {
     }
     is(frame) { tag := word(6 downto 0); after(color) }
     is(color) { clearColor := word; after(regionX) }
-    is(regionX) { refuseIf(badRange(config.tilesX)); after(regionY) }
-    is(regionY) { refuseIf(badRange(config.tilesY)); after(finish) }
+    is(regionX) { refuseIf(badRange); after(regionY) }
+    is(regionY) { refuseIf(badRange); after(finish) }
 
     is(stateIndex, commonState) {
       triangleState := word(3 downto 0)
-      address       := layout.states + word(3 downto 0).asUInt.resize(16)
       val bad = word(15 downto 4) =/= 0
       refuseIf(bad)
       take := True
@@ -183,9 +196,8 @@ case class CommandDecoder(config: RasterConfig) extends Component {
     }
     is(firstVertex)(after(loadVertex))
     is(loadVertex) {
-      address := vertexAddress
-      beyond  := data(15 downto 0).asUInt >= config.maxVertices
-      state   := fetchFirst
+      beyond := data(15 downto 0).asUInt >= config.maxVertices
+      state  := fetchFirst
     }
 
     is(fetchFirst)(after(fetchSecond))
@@ -209,9 +221,9 @@ case class CommandDecoder(config: RasterConfig) extends Component {
       val write = !beyond && (!check.io.fault || pair === 3)
       io.store.cmd.valid := write
       when(!write || io.store.cmd.ready) {
-        address := address + 1
-        pair    := pair + 1
-        state   := fetchFirst
+        count := True
+        pair  := pair + 1
+        state := fetchFirst
         when(pair === PackedVertex.WireWords / 2 - 1) {
           pair     := 0
           vertices := vertices + 1
@@ -223,18 +235,18 @@ case class CommandDecoder(config: RasterConfig) extends Component {
       }
     }
 
-    is(load) { address := vertexAddress; state := read }
+    is(load)(state := read)
     is(read) {
       io.store.cmd.valid := True
       when(io.store.cmd.ready)(state := response)
       if (config.maxVertices < 1024) stale setWhen (address >= layout.triangles)
     }
     is(response) {
-      // Horizontally a corner's x and its tag are read, vertically its y; then the next corner's index moves down.
+      // Horizontally a corner's x and its tag are read, vertically its y.
       tagRead := !vertical && !tagRead
       state   := load
       when(tagRead || vertical) {
-        data(29 downto 0) := data(29 downto 0).rotateRight(10)
+        rotate := True
         corner := corner + 1
         when(corner === 2)(state := settle)
       }
@@ -247,7 +259,6 @@ case class CommandDecoder(config: RasterConfig) extends Component {
     is(axisDone) {
       corner   := 0
       vertical := True
-      address  := U(layout.triangles, 16 bits) + (stored << 1).resized
       when(!vertical) {
         box.io.clear := True
         missed       := box.io.empty
@@ -264,7 +275,7 @@ case class CommandDecoder(config: RasterConfig) extends Component {
     }
     is(writeIndices) {
       io.store.cmd.valid := True
-      when(io.store.cmd.ready) { address := address + 1; state := writeBox }
+      when(io.store.cmd.ready)(state := writeBox)
     }
     is(writeBox) {
       io.store.cmd.valid := True
@@ -273,7 +284,6 @@ case class CommandDecoder(config: RasterConfig) extends Component {
 
     is(texelAddress)(after(loadTexel))
     is(loadTexel) {
-      address := (data(10 downto 0) << 4).asUInt.resized
       when(data(15 downto 11) =/= 0) { // also keeps the address from wrapping
         refused := True
         state   := skip
@@ -283,13 +293,13 @@ case class CommandDecoder(config: RasterConfig) extends Component {
       when(left === 0)(state := finish) otherwise {
         take := io.texels.ready || !texelFits
         when(io.words.valid && !texelFits)(refused := True)
-        when(io.words.valid && take)(address := address + 1)
+        count := took
       }
     }
 
-    is(drawVertices) { stale := word.asUInt =/= vertices; after(drawTriangles) }
+    is(drawVertices) { stale := word.asUInt =/= vertices.resize(16); after(drawTriangles) }
     is(drawTriangles) {
-      when(word.asUInt =/= triangles)(stale := True)
+      when(word.asUInt =/= triangles.resize(16))(stale := True)
       after(hand)
     }
     is(hand) {
@@ -309,4 +319,9 @@ case class CommandDecoder(config: RasterConfig) extends Component {
     region(1) := word(12 downto 8).asUInt
     region(0) := word(4 downto 0).asUInt
   }
+}
+
+object CommandDecoder {
+  /** Vertices and triangles that arrive are counted modulo 4096, to be compared with what `draw` says was sent. */
+  val CountBits = 12
 }

@@ -26,6 +26,9 @@ case class SpiSlave() extends Component {
     val status = in(LinkStatus())
   }
 
+  // Whoever drives the pins, their timing is SCK's.
+  io.pins.mosi.addTag(crossClockDomain)
+
   // The core's side, declared first because the SCK domain reads it.
   val statusByte = Reg(Bits(8 bits))
 

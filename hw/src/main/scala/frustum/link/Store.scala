@@ -7,7 +7,8 @@ import spinal.core._
 import spinal.lib._
 
 /** The scene store: one access a clock, shared by `clients` with fixed priority, client 0 first. A read is answered to
-  * its client one clock after it is granted. 16 K x 32 for the default layout: two SPRAM of the iCE40UP5K side by side.
+  * its client one clock after it is granted. Only the last client, by custom the decoder, may write: the others' `write`
+  * and `data` are not looked at. 16 K x 32 for the default layout: two SPRAM of the iCE40UP5K side by side.
   */
 case class Store(layout: StoreLayout, clients: Int, tech: Tech) extends Component {
   val io = new Bundle {
@@ -21,13 +22,14 @@ case class Store(layout: StoreLayout, clients: Int, tech: Tech) extends Componen
   val granted = arbiter.io.output
   granted.ready        := True
   ram.io.enable    := granted.valid
-  ram.io.write     := granted.write
+  ram.io.write     := arbiter.io.chosenOH.msb && io.clients.last.cmd.write
   ram.io.address   := granted.address
-  ram.io.writeData := granted.data
+  ram.io.writeData := io.clients.last.cmd.data
   ram.io.mask      := B(3, 2 bits)
 
   for (client <- io.clients) {
-    client.rsp.valid   := RegNext(client.cmd.fire && !client.cmd.write) init False
+    val write = if (client eq io.clients.last) client.cmd.write else False
+    client.rsp.valid   := RegNext(client.cmd.fire && !write) init False
     client.rsp.payload := ram.io.readData
   }
 }

@@ -15,7 +15,7 @@ import spinal.lib._
   *
   *   - `start` comes before the first fragment of each frame or pass and is taken when the tile memories are clear
   *   - `tile` tells the position of each tile, in the order of their end marks
-  *   - `state` must be stable from when a fragment is taken until `busy` is low
+  *   - `state` must be stable from when a fragment is taken until `busy` is low; it rises the clock after
   *   - `texels` writes texel memory; each write costs the fragments a clock
   */
 case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component {
@@ -32,8 +32,9 @@ case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component 
   val divide   = PerspectiveDivide(tech)
   val texture  = TextureUnit(config, tech)
   val waiting  = StreamFifo(FragmentAttributes(config), FragmentPipeline.InFlight)
-  val combine  = Combine(config)
+  val combine  = Combine(config, tech)
   val alpha    = AlphaTest(config)
+  val lock     = Interlock(config)
   val depth    = DepthTest(config)
   val blend    = Blend(config)
   val resolver = Resolver(config)
@@ -58,10 +59,11 @@ case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component 
   combine.io.up.payload.texel         := texel.payload
 
   alpha.io.up << combine.io.down
-  depth.io.up << alpha.io.down
+  lock.io.up  << alpha.io.down
+  depth.io.up << lock.io.down
   blend.io.up << depth.io.down
 
-  for (state <- Seq(texture.io.state, combine.io.state, alpha.io.state, depth.io.state, blend.io.state))
+  for (state <- Seq(texture.io.state, combine.io.state, alpha.io.state, lock.io.state, depth.io.state, blend.io.state))
     state := io.state
   texture.io.texels << io.texels
 
@@ -71,16 +73,15 @@ case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component 
   resolver.io.drawing := io.busy
   resolver.io.color   := blend.io.color
   blend.io.clearColor := resolver.io.clearColor
-  for (clear <- Seq(depth.io.clear, blend.io.clear)) {
-    clear.assignAllByName(resolver.io.clear)
-  }
+  for (clear <- Seq(lock.io.clear, depth.io.clear, blend.io.clear)) clear.assignAllByName(resolver.io.clear)
   io.pixels << resolver.io.pixels
 
-  io.busy := waiting.io.occupancy =/= 0 || combine.io.busy || depth.io.busy || blend.io.busy
+  val inFlight = waiting.io.occupancy =/= 0 || combine.io.busy || lock.io.busy || depth.io.busy || blend.io.busy
+  io.busy := RegNext(io.up.fire || inFlight) init False
 }
 
 object FragmentPipeline {
 
-  /** Fragments between the perspective divide and the texel; they are nine at most. */
+  /** Room for the fragments between the perspective divide and the texel: nine, and a power of two. */
   val InFlight = 16
 }

@@ -5,7 +5,8 @@ import spinal.core._
 import spinal.lib._
 
 /** Turns the set-up engine's gradients and first values into the interpolator's coefficients, one write a clock: a
-  * horizontal gradient becomes one step and four steps to either side.
+  * horizontal gradient becomes one step and four steps to either side, those to the left as complements, to which the
+  * interpolator adds the missing one.
   */
 case class CoefficientWriter(slots: Int) extends Component {
   val io = new Bundle {
@@ -30,7 +31,7 @@ case class CoefficientWriter(slots: Int) extends Component {
   when(more =/= 0) {
     more := more - 1
     entry := entry + 1
-    value := (more === 2) ? (value |<< 2) | -value // right, left, left by four, right by four
+    value := (more === 2) ? (value(29 downto 0) @@ S(-1, 2 bits)) | ~value // right, left, left by four, right by four
   }
   when(io.result.valid) {
     def begin(kind: Result, at: UInt, followers: Int): Unit = when(io.result.kind === kind.code) {

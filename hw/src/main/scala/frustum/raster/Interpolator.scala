@@ -27,6 +27,7 @@ case class CoefficientWrite(slots: Int) extends Bundle {
 object Coefficient {
   // entries of a slot
   val Initial = 0 // and 1: one is read while the other is written
+  // left and by four to the left are complements: their negative, less one
   val Right = 2; val Left = 3; val Left4 = 4; val Right4 = 5; val Down = 6
 }
 
@@ -124,7 +125,8 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   }
 
   // The coefficients of the move are read, then added.
-  val read = moves.m2sPipe()
+  val read       = moves.m2sPipe()
+  val complement = read.entry === Coefficient.Left || read.entry === Coefficient.Left4
   val widths = Seq.fill(4)(32) ++ Seq.fill(4)(16)
   val planes = for ((width, plane) <- widths.zipWithIndex) yield new Area {
     val memory = Mem(SInt(width bits), slots * 8)
@@ -133,7 +135,9 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
       memory.readSync(moves.slot @@ moves.entry, enable = moves.ready, readUnderWrite = dontCare)
     val value = RegInit(S(0, width bits))
     when(read.fire) {
-      when(read.clear) { value := 0 } otherwise { value := value + coefficient }
+      when(read.clear) { value := 0 } otherwise {
+        value := value + coefficient + complement.asUInt.resize(width).asSInt
+      }
     }
   }
 

@@ -12,11 +12,6 @@ case class ScratchWrite() extends Bundle {
   val data = SInt(32 bits)
 }
 
-/** The pixels whose centres lie in a triangle's bounding box: first and last column, first and last row. */
-case class PixelBox() extends Bundle {
-  val firstX, lastX, firstY, lastY = SInt(12 bits)
-}
-
 /** Brings a triangle's three vertices from the store into the set-up engine's scratch memory: vertex 0's fields and the
   * differences of the others', in the scales that [[frustum.spec.SetupProgram]] takes, one word a clock and three clocks
   * a store word. Begins with `start`, ends with a pulse on `done`.
@@ -32,7 +27,9 @@ case class SetupFetch(layout: StoreLayout) extends Component {
     val write    = master Flow (ScratchWrite())
     val read     = out UInt (6 bits)
     val readData = in SInt (32 bits)
-    val box      = out(PixelBox())
+    /** Instead of the data, 2^scaleShift is to be written. */
+    val scale      = out Bool ()
+    val scaleShift = out UInt (5 bits)
   }
 
   object State extends SpinalEnum { val Idle, Exponents, Read, Wait, Write = newElement() }
@@ -51,7 +48,9 @@ case class SetupFetch(layout: StoreLayout) extends Component {
   io.store.cmd.address := io.bank @@ ((index |<< 2) + index + wanted)
   io.store.cmd.data := 0
   awaiting.setWhen(io.store.cmd.fire)
-  val word = RegNextWhen(io.store.rsp.payload, io.store.rsp.valid)
+  // A store word; the next field is always at its top.
+  val word = Reg(Bits(32 bits))
+  when(io.store.rsp.valid) { word := io.store.rsp.payload }
 
   val exponents = Vec.fill(3)(Reg(UInt(5 bits)))
   val largest   = Reg(UInt(5 bits))
@@ -62,22 +61,17 @@ case class SetupFetch(layout: StoreLayout) extends Component {
   io.read := Vec(steps.map(s => U(s.origin.getOrElse(0), 6 bits)))(stepReadAhead.resized)
 
   // The field, scaled, less vertex 0's.
-  val x = word(31 downto 16).asSInt - 8 // pixel centres become multiples of 16
-  val y = word(15 downto 0).asSInt - 8
+  val centre = word(31 downto 16).asSInt - 8 // pixel centres become multiples of 16
   val behind = largest - exponents(vertex)
+  io.scale := perStep(s => Bool(s.field == Field.Scale))
+  io.scaleShift := (behind > 30) ? U(0, 5 bits) | (30 - behind)
   val field = perStep { s =>
-    def color(byte: Int) = word(8 * byte, 8 bits).asUInt.resize(32).asSInt |<< 7
     s.field match {
-      case Field.X       => x.resize(32)
-      case Field.Y       => y.resize(32)
-      case Field.Z       => word(31 downto 16).asUInt.resize(32).asSInt |<< 15
-      case Field.Q       => word(15 downto 0).asUInt.resize(32).asSInt |<< 1
-      case Field.Texture => word(24 downto 0).asSInt.resize(32) |<< 6
-      case Field.Scale   => (S(1 << 30, 32 bits) |>> behind)
-      case Field.R       => color(3)
-      case Field.G       => color(2)
-      case Field.B       => color(1)
-      case Field.A       => color(0)
+      case Field.Position => centre.resize(32)
+      case Field.Z        => word(31 downto 16).asUInt.resize(32).asSInt |<< 15
+      case Field.Q        => word(31 downto 16).asUInt.resize(32).asSInt |<< 1
+      case Field.Color    => word(31 downto 24).asUInt.resize(32).asSInt |<< 7
+      case _              => word(24 downto 0).asSInt.resize(32) |<< 6
     }
   }
   val relative   = perStep(s => Bool(s.origin.isDefined)) && vertex =/= 0
@@ -85,15 +79,6 @@ case class SetupFetch(layout: StoreLayout) extends Component {
   io.write.valid := state === State.Write
   io.write.word := Vec((0 to 2).map(v => perStep(s => U(s.targets(v), 6 bits))))(vertex.resized)
   io.write.data := (relative && perStep(s => Bool(s.upper))) ? (difference |<< 16) | difference
-
-  val box = Reg(PixelBox())
-  io.box := box
-  def grow(first: SInt, last: SInt, at: SInt): Unit = {
-    val from = ((at + 15) >> 4).resize(12)
-    val to   = (at >> 4).resize(12)
-    when(vertex === 0 || from < first) { first := from }
-    when(vertex === 0 || to > last) { last := to }
-  }
 
   io.done := False
   switch(state) {
@@ -115,8 +100,8 @@ case class SetupFetch(layout: StoreLayout) extends Component {
     is(State.Wait) { when(io.store.rsp.valid) { state := State.Write } }
     is(State.Write) {
       step := step + 1
-      when(perStep(s => Bool(s.field == Field.X && !s.upper))) { grow(box.firstX, box.lastX, x) }
-      when(perStep(s => Bool(s.field == Field.Y))) { grow(box.firstY, box.lastY, y) }
+      when(perStep(s => Bool(s.take == 16))) { word := word |<< 16 }
+      when(perStep(s => Bool(s.take == 8))) { word := word |<< 8 }
       when(perStep(s => Bool(lastOfWord(s)))) { state := State.Read }
       when(step === steps.length - 1) {
         step := 0
@@ -131,34 +116,44 @@ case class SetupFetch(layout: StoreLayout) extends Component {
 }
 
 object SetupFetch {
-  object Field extends Enumeration { val X, Y, Z, Q, Texture, Scale, R, G, B, A = Value }
+  object Field extends Enumeration { val Position, Z, Q, Texture, Scale, Color = Value }
 
-  /** One write of a vertex's field.
+  /** One write of a vertex's field, which stands at the top of the store word, except for texture coordinates.
     *
     * @param word    which of the vertex's store words holds it
     * @param targets scratch word for vertices 0, 1 and 2
+    * @param take    bits of the store word that are done with afterwards
     * @param origin  vertex 0's value, subtracted for vertices 1 and 2
     * @param upper   differences are written times 2^16
     */
-  final case class Step(word: Int, field: Field.Value, targets: Seq[Int], origin: Option[Int] = None, upper: Boolean = false)
+  final case class Step(
+      word: Int,
+      field: Field.Value,
+      targets: Seq[Int],
+      take: Int = 0,
+      origin: Option[Int] = None,
+      upper: Boolean = false
+  )
 
-  private def plane(field: Field.Value, word: Int, p: Int) =
-    Step(word, field, Seq(value(p), delta1(p), delta2(p)), Some(value(p)))
+  private def position(targets: Seq[Int], take: Int, upper: Boolean, origin: Int) =
+    Step(0, Field.Position, targets, take, Some(origin), upper)
+  private def plane(word: Int, field: Field.Value, p: Int, take: Int) =
+    Step(word, field, Seq(value(p), delta1(p), delta2(p)), take, Some(value(p)))
 
   // What vertex 0 leaves in a difference's place, vertex 1 overwrites.
   val steps: Seq[Step] = Seq(
-    Step(0, Field.X, Seq(X0, DX1, DX2), Some(X0)),
-    Step(0, Field.X, Seq(DX1_16, DX1_16, DX2_16), Some(X0), upper = true),
-    Step(0, Field.Y, Seq(Y0, DY1_16, DY2_16), Some(Y0), upper = true),
-    plane(Field.Z, 1, PlaneZ),
+    position(Seq(X0, DX1, DX2), take = 0, upper = false, X0),
+    position(Seq(DX1_16, DX1_16, DX2_16), take = 16, upper = true, X0),
+    position(Seq(Y0, DY1_16, DY2_16), take = 0, upper = true, Y0),
+    plane(1, Field.Z, PlaneZ, take = 16),
     Step(1, Field.Q, (0 to 2).map(q)),
     Step(2, Field.Texture, (0 to 2).map(s)),
     Step(2, Field.Scale, (0 to 2).map(scale)),
     Step(3, Field.Texture, (0 to 2).map(t)),
-    plane(Field.R, 4, PlaneR),
-    plane(Field.G, 4, PlaneG),
-    plane(Field.B, 4, PlaneB),
-    plane(Field.A, 4, PlaneA)
+    plane(4, Field.Color, PlaneR, take = 8),
+    plane(4, Field.Color, PlaneG, take = 8),
+    plane(4, Field.Color, PlaneB, take = 8),
+    plane(4, Field.Color, PlaneA, take = 8)
   )
   val ExponentWord = 2
 

@@ -87,14 +87,19 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   token.parity := parity
   token.x := firstX
 
+  // A power of two, for shifts by multiplication.
+  val shift        = Reg(UInt(5 bits))
+  val oneHotAmount = UInt(5 bits)
+  oneHotAmount := fetch.io.write.valid ? fetch.io.scaleShift | shift
+  val oneHot = (U(1, 32 bits) |<< oneHotAmount).asSInt
+
   // Between the engine's runs this control writes and reads the scratch memory.
-  val window = Reg(Window(config))
   val sliver = Reg(Bool())
-  walker.io.window := window
   walker.io.start := False
   engine.io.sliver := sliver
   engine.io.read := fetch.io.read
   engine.io.write << fetch.io.write
+  when(fetch.io.scale) { engine.io.write.data := oneHot }
   def write(word: Int, data: SInt): Unit = {
     engine.io.write.valid := True
     engine.io.write.word := word
@@ -102,39 +107,27 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   }
 
   // The area, shifted left until bit 29 is set.
-  val area  = Reg(SInt(32 bits))
-  val shift = Reg(UInt(5 bits))
-  when(engine.io.result.valid && engine.io.result.target === Area) { area := engine.io.result.value }
-  val oneHotAmount = UInt(5 bits)
-  oneHotAmount := shift
-  val oneHot = (U(1, 32 bits) |<< oneHotAmount).asSInt
+  val area = Reg(SInt(32 bits))
+  when(engine.io.result.valid && engine.io.result.target === SetupWords.Area) { area := engine.io.result.value }
 
-  // Part of the bounding box in the tile along one axis, from the word just read.
-  def tile(origin: UInt, log2: Int, size: Int) = new Area {
-    val start = (origin << log2).resize(11).intoSInt
-    val word  = engine.io.readData
-    val first = word(31 downto 16).resize(13) - start
-    val last  = word(15 downto 0).resize(13) - start
-    val end   = S(size - 1, 13 bits) - start
-    val full  = S((1 << log2) - 1, 13 bits)
-    val bound = (end < full) ? end | full
-    val low   = first.msb ? S(0, 13 bits) | first
-    val high  = (last > bound) ? bound | last
-    val none  = low > high
-  }
-  val columns = tile(job.tileX, config.tileLog2Width, config.width)
-  val rows    = tile(job.tileY, config.tileLog2Height, config.height)
+  // The tile's last column and row on the screen.
+  private def lastIn(tile: UInt, log2: Int, size: Int) =
+    (tile === ((size - 1) >> log2)) ? U((size - 1) & ((1 << log2) - 1), log2 bits) | U((1 << log2) - 1, log2 bits)
+  val lastColumn = RegNext(lastIn(job.tileX, config.tileLog2Width, config.width))
+  val lastRow    = RegNext(lastIn(job.tileY, config.tileLog2Height, config.height))
+  walker.io.lastColumn := lastColumn
+  walker.io.lastRow := lastRow
 
   // A pixel's position relative to vertex 0, whose coordinate was just read, in 1/16 pixel.
   val pixel = UInt(10 bits)
-  def inTileX(x: UInt) = ((job.tileX << config.tileLog2Width) + x).resize(10)
-  def inTileY(y: UInt) = ((job.tileY << config.tileLog2Height) + y).resize(10)
-  pixel := inTileX(window.left)
-  val position = (pixel << 4).intoSInt.resize(32) - engine.io.readData
+  def inTileX(x: UInt) = (job.tileX @@ x).resize(10)
+  def inTileY(y: UInt) = (job.tileY @@ y).resize(10)
+  pixel := inTileX(U(0, config.tileLog2Width bits))
+  val position = ((pixel << 4).intoSInt.resize(17) - engine.io.readData.resize(17)).resize(32)
 
   object State extends SpinalEnum {
-    val Idle, Fetch, BoxX, BoxY, Facing, Normalise, WriteArea, WriteShift, WriteShift4, Check, ReadBoxX, ReadBoxY,
-      Rows, WriteLeft, WriteRight, WriteTop, Walk, Look, WritePixelX, WritePixelY, Hand, Run = newElement()
+    val Idle, Fetch, Area, Facing, Normalise, WriteArea, WriteShift, WriteShift4, Check, ReadX,
+      WriteLeft, WriteRight, WriteTop, Walk, Look, WritePixelX, WritePixelY, Hand, Run = newElement()
   }
   val state = RegInit(State.Idle)
   val after = Reg(State()) // where to go when the engine is idle again
@@ -163,7 +156,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
           token.valid := True
           io.job.ready := token.ready
         } elsewhen (cached) {
-          state := State.ReadBoxX
+          state := State.ReadX
         } elsewhen (!slotDrawn) {
           known(slot) := False
           fetch.io.start := True
@@ -171,15 +164,8 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
         }
       }
     }
-    is(State.Fetch) { when(fetch.io.done) { state := State.BoxX } }
-    is(State.BoxX) {
-      write(BoxX, (fetch.io.box.firstX.resize(16) ## fetch.io.box.lastX.resize(16)).asSInt)
-      state := State.BoxY
-    }
-    is(State.BoxY) {
-      write(BoxY, (fetch.io.box.firstY.resize(16) ## fetch.io.box.lastY.resize(16)).asSInt)
-      run(SectionArea, State.Facing)
-    }
+    is(State.Fetch) { when(fetch.io.done) { state := State.Area } }
+    is(State.Area) { run(SectionArea, State.Facing) }
     is(State.Facing) {
       state := State.Normalise
       when(area < Domain.MinArea) { area := Domain.MinArea }
@@ -214,35 +200,21 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
         known(slot) := True
         tags(slot) := job.triangle
         io.setUp := True
-        run(SectionGradients, State.ReadBoxX)
+        run(SectionGradients, State.ReadX)
       }
     }
 
-    is(State.ReadBoxX) { engine.io.read := BoxX; state := State.ReadBoxY }
-    is(State.ReadBoxY) {
-      engine.io.read := BoxY
-      window.left := columns.low.asUInt.resized
-      window.right := columns.high.asUInt.resized
-      state := State.Rows
-      when(columns.none) { io.job.ready := True; state := State.Idle }
-    }
-    is(State.Rows) {
-      engine.io.read := X0
-      window.top := rows.low.asUInt.resized
-      window.bottom := rows.high.asUInt.resized
-      state := State.WriteLeft
-      when(rows.none) { io.job.ready := True; state := State.Idle }
-    }
+    is(State.ReadX) { engine.io.read := X0; state := State.WriteLeft }
     is(State.WriteLeft) { engine.io.read := X0; write(Left, position); state := State.WriteRight }
     is(State.WriteRight) {
       engine.io.read := Y0
-      pixel := inTileX(window.right)
+      pixel := inTileX(lastColumn)
       write(Right, position)
       state := State.WriteTop
     }
     is(State.WriteTop) {
       engine.io.read := Y0
-      pixel := inTileY(window.top)
+      pixel := inTileY(U(0, config.tileLog2Height bits))
       write(Top, position)
       when(walker.io.idle) { run(SectionEdges, State.Walk) }
     }

@@ -4,13 +4,13 @@ package frustum.spec
   * each a line. Hardware and model read the same words.
   *
   * With i the top 8 bits of f and x the next [[FractionBits]] bits,
-  * {{{ r = (base(i) + (slope(i) * x >> 14)) >> 3     in units of 2^-16, 0..65535 }}}
+  * {{{ r = (base(i) * 2^13 + slope(i) * x) >> 16     in units of 2^-16, 0..65535 }}}
   * `base` has 3 extra fraction bits and holds the rounding constant and half of the line's own error (r is concave),
   * so that the total error is at most 0.85 units, or 1 at the very end. r(0) = 0 exactly, whence w = 1 and powers of two are exact.
   */
 object ReciprocalTable {
   val IndexBits    = 8
-  val FractionBits = 13
+  val FractionBits = 12
   val BaseBits     = 19
   val SlopeBits    = 13
 
@@ -27,14 +27,15 @@ object ReciprocalTable {
     scala.math.round(8 * (from + lineError / 2 + 0.5) + 0.25).toInt
   }
 
-  /** r in units of 2^-16; `fraction` is the top 21 bits of f. */
+  /** r in units of 2^-16; `fraction` is the top 20 bits of f. */
   def apply(fraction: Int): Int = {
     val i = fraction >>> FractionBits
-    (base(i) + (slope(i) * (fraction & ((1 << FractionBits) - 1)) >>> 14)) >>> 3
+    ((base(i) << 13) + slope(i) * (fraction & ((1 << FractionBits) - 1))) >>> 16
   }
 
   // The last interval ends at 1, which does not fit: its line is flattened until it stays below.
-  while (apply((1 << (IndexBits + FractionBits)) - 1) > 65535) slope(size - 1) -= 1
+  private def end(i: Int): Long = (base(i).toLong << 13) + slope(i).toLong * ((1 << FractionBits) - 1)
+  while (end(size - 1) >> 32 != 0) slope(size - 1) -= 1
 
   require(apply(0) == 0, s"the reciprocal of 1 is not exact: r(0) = ${apply(0)}")
   require(base.forall(b => b >= 0 && b >> BaseBits == 0), "a base of the reciprocal table does not fit")

@@ -68,7 +68,7 @@ object SetupProgram {
     }
   }
 
-  /** The three edge functions at the corner of the window from which each edge's walk starts. The first product of an
+  /** The three edge functions at the tile's upper corner from which each edge's walk starts. The first product of an
     * edge reads its x step as `b` and, where the step is negative, `Right` in place of `Left`.
     */
   val edges: Seq[SetupInstruction] = Seq(

@@ -22,11 +22,9 @@ object SetupWords {
   def delta1(p: Int): Int = 15 + 3 * p
   def delta2(p: Int): Int = 16 + 3 * p
 
-  /** Bounding box, pixels: first << 16 | last, the centres inside it. */
-  val BoxX = 38; val BoxY = 39
 
   // Used by the set-up alone.
-  val DX1 = 56; val DX2 = 57
+  val DX1 = 38; val DX2 = 39
   def s(v: Int): Int    = 40 + v
   def t(v: Int): Int    = 43 + v
   /** Twice the mantissa of 1/w, then 1/w itself with 31 fractional bits. */
@@ -42,7 +40,7 @@ object SetupWords {
   val Temporary = Seq(44, 45, 46, 47)
 
   // Used by the move to a tile: positions relative to vertex 0.
-  /** Left and right corner of the walker's window and its top row, 1/16 pixel. */
+  /** The tile's left and right columns and its top row, 1/16 pixel. */
   val Left = 56; val Right = 57; val Top = 58
   /** First pixel, times 2^16. */
   val PixelX_16 = 56; val PixelY_16 = 57

@@ -8,8 +8,9 @@ import spinal.lib._
 
 /** Nearest texel at a coordinate: wrap, address, fetch, decode; one a clock, latency 2 clocks.
   *
-  * Texel memory has one port. A write takes it for a clock, in which no texel is read; it waits while a texel that was
-  * read has not been taken. `state` must be stable while `busy`.
+  * Texel memory has one port. A write that is offered stops the reading, and is done when the last texel that was read
+  * has been taken, since a write spoils the memory's output; then writes go at one a clock. `state` must be stable while
+  * `busy`.
   */
 case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
   val io = new Bundle {
@@ -31,17 +32,17 @@ case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
     index
   }
   val indexed = wrapped.m2sPipe(collapsBubble = false)
-  val read    = indexed.haltWhen(io.texels.fire)
+  val read    = indexed.haltWhen(io.texels.valid)
   val fetched = read.translateWith(NoData()).m2sPipe(collapsBubble = false)
 
   val memory  = SinglePortRam(config.textureTexels, 16, tech)
-  val address = Mux(io.texels.fire, io.texels.address, TexelAddress(indexed.s, indexed.t, io.state))
-  memory.io.enable    := io.texels.fire || read.fire
+  val address = Mux(io.texels.valid, io.texels.address, TexelAddress(indexed.s, indexed.t, io.state))
+  memory.io.enable    := Mux(io.texels.valid, io.texels.ready, fetched.ready)
   memory.io.write     := io.texels.fire
   memory.io.address   := address.resized
   memory.io.writeData := io.texels.data
   memory.io.mask      := 1
-  io.texels.ready     := !fetched.valid || fetched.ready
+  io.texels.ready     := !fetched.valid
 
   io.down << fetched.translateWith(Texel.decode(memory.io.readData, io.state.rgba4444))
   io.busy := indexed.valid || fetched.valid

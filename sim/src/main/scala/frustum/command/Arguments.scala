@@ -5,7 +5,9 @@ import org.joml.Vector3d
 import scopt.{OEffect, OParser, Read}
 import java.nio.file.{InvalidPathException, Path, Paths}
 
-/** What the parsers of all commands share: kinds of values with messages that say what to write, and errors in one line. */
+/** What the parsers of all commands share: kinds of values with messages that say what to write, and errors
+  * in one line.
+  */
 object Arguments {
 
   /** The arguments, or None when help was asked for and printed. A parser needs no `--help` of its own. */
@@ -30,7 +32,8 @@ object Arguments {
   val finite: Read[Double] = Read.reads(number)
 
   /** Finite numbers above zero. */
-  val positive: Read[Double] = Read.reads(t => Some(number(t)).filter(_ > 0).getOrElse(refuse(s"$t is not above 0")))
+  val positive: Read[Double] =
+    Read.reads(t => Some(number(t)).filter(_ > 0).getOrElse(refuse(s"$t is not above 0")))
 
   val vector: Read[Vector3d] = Read.reads { text =>
     text.split(",", -1) match {
@@ -47,11 +50,14 @@ object Arguments {
 
   /** 0xRRGGBB from six hexadecimal digits. */
   val color: Read[Int] = Read.reads { text =>
-    if (text.matches("[0-9a-fA-F]{6}")) Integer.parseInt(text, 16) else refuse(s"'$text' is not six hexadecimal digits RRGGBB")
+    if (text.matches("[0-9a-fA-F]{6}")) Integer.parseInt(text, 16)
+    else refuse(s"'$text' is not six hexadecimal digits RRGGBB")
   }
 
   val count: Read[Int] = Read.reads { text =>
-    text.toIntOption.filter(n => n >= 1 && n <= 10000).getOrElse(refuse(s"'$text' is not a whole number from 1 to 10000"))
+    text.toIntOption.filter(n => n >= 1 && n <= 10000).getOrElse(refuse(
+      s"'$text' is not a whole number from 1 to 10000"
+    ))
   }
 
   val seed: Read[Long] = Read.reads(t => t.toLongOption.getOrElse(refuse(s"'$t' is not a whole number")))

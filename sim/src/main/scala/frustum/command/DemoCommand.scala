@@ -11,7 +11,11 @@ import scopt.OParser
 import java.nio.file.{Path, Paths}
 
 /** Arguments of `demo`. */
-final case class DemoOptions(engine: String = Engines.names.head, out: Path = Paths.get("out", "demo"), seed: Long = 1)
+final case class DemoOptions(
+    engine: String = Engines.names.head,
+    out: Path = Paths.get("out", "demo"),
+    seed: Long = 1
+)
 
 /** `demo`: every scene, with its picture, the reference's and their difference on one page. */
 object DemoCommand extends CommandLine {
@@ -22,10 +26,15 @@ object DemoCommand extends CommandLine {
     val builder = OParser.builder[DemoOptions]
     import builder._
     OParser.sequence(
-      programName("./sbt demo"), head(s"demo: $summary"),
-      opt[String]("engine")(Arguments.oneOf(Engines.names.map(n => n -> n): _*)).valueName(Engines.names.mkString("|"))
+      programName("./sbt demo"),
+      head(s"demo: $summary"),
+      opt[String](
+        "engine"
+      )(Arguments.oneOf(Engines.names.map(n => n -> n): _*)).valueName(Engines.names.mkString("|"))
         .action((v, o) => o.copy(engine = v)).text(s"what draws (default ${Engines.names.head})"),
-      opt[Path]("out")(Arguments.file).valueName("DIR").action((v, o) => o.copy(out = v)).text("(default out/demo)"),
+      opt[Path]("out")(
+        Arguments.file
+      ).valueName("DIR").action((v, o) => o.copy(out = v)).text("(default out/demo)"),
       opt[Long]("seed")(Arguments.seed).valueName("N").action((v, o) => o.copy(seed = v))
         .text("of whatever is random (default 1)"),
       note("  --help                   prints this")
@@ -37,7 +46,7 @@ object DemoCommand extends CommandLine {
   private def demo(o: DemoOptions): Int = {
     val entry  = Engines.byName(o.engine)
     val config = RasterConfig()
-    val shown = for (sceneName <- Scenes.names) yield {
+    val shown  = for (sceneName <- Scenes.names) yield {
       val scene   = Scenes.byName(sceneName)
       val options = DrawOptions(None, cullBack = false, Wrap.Repeat, scene.background)
       val run     = SceneRun(scene, scene.camera, options, config, 1, 0, entry, EngineOptions(o.seed, None))
@@ -53,7 +62,11 @@ object DemoCommand extends CommandLine {
   }
 
   private def writePictures(out: Path, scene: String, config: RasterConfig, v: FrameVerdict): Unit =
-    for ((kind, picture) <- Seq(
-        "" -> v.picture, ".reference" -> v.reference, ".difference" -> Picture.difference(v.picture, v.reference)
-      )) Picture.writePng(out.resolve(s"$scene$kind.png"), config.width, config.height, picture)
+    for (
+      (kind, picture) <- Seq(
+        ""            -> v.picture,
+        ".reference"  -> v.reference,
+        ".difference" -> Picture.difference(v.picture, v.reference)
+      )
+    ) Picture.writePng(out.resolve(s"$scene$kind.png"), config.width, config.height, picture)
 }

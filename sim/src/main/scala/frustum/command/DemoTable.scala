@@ -24,9 +24,11 @@ object DemoTable {
   def apply(reports: Seq[ujson.Obj]): String = {
     val rows   = ("scene" +: columns.map(_._1)) +: reports.map(r => r("scene").str +: columns.map(_._2(r)))
     val widths = rows.transpose.map(_.map(_.length).max)
-    rows.map(row => row.zip(widths).zipWithIndex.map { case ((cell, width), column) =>
-      if (column == 0) cell.padTo(width, ' ') else cell.reverse.padTo(width, ' ').reverse
-    }.mkString("  ")).mkString("\n")
+    rows.map(row =>
+      row.zip(widths).zipWithIndex.map { case ((cell, width), column) =>
+        if (column == 0) cell.padTo(width, ' ') else cell.reverse.padTo(width, ' ').reverse
+      }.mkString("  ")
+    ).mkString("\n")
   }
 
   private def value(report: ujson.Obj, path: String*): Option[ujson.Value] =

@@ -3,8 +3,8 @@ package frustum.command
 import frustum.InputError
 import scala.util.control.NonFatal
 
-/** Entry of the workbench: the command's name, then its arguments; or `--line` and all of it as one line, quoted as for
-  * a shell, which is how the launcher hands on what it was given.
+/** Entry of the workbench: the command's name, then its arguments; or `--line` and all of it as one line,
+  * quoted as for a shell, which is how the launcher hands on what it was given.
   */
 object Main {
   val commands: Seq[CommandLine] = Seq(DemoCommand, RenderCommand, VerilogCommand, BitstreamCommand)
@@ -14,9 +14,10 @@ object Main {
   /** The exit code. Bad input gives one line on stderr; only faults of our own give a stack trace. */
   def run(args: Seq[String]): Int =
     try args match {
-      case Seq("--line", line) => dispatch(Words.split(line))
-      case words               => dispatch(words)
-    } catch {
+        case Seq("--line", line) => dispatch(Words.split(line))
+        case words               => dispatch(words)
+      }
+    catch {
       case InputError(message) =>
         Console.err.println(s"error: ${message.linesIterator.map(_.trim).mkString(" ")}")
         2

@@ -17,6 +17,10 @@ final class Progress private (name: String, steps: Int, bar: Option[ProgressBar]
 object Progress {
   def apply(name: String, steps: Int): Progress = {
     val terminal = System.console != null && steps > 1
-    new Progress(name, steps, Option.when(terminal)(new ProgressBarBuilder().setTaskName(name).setInitialMax(steps).build()))
+    new Progress(
+      name,
+      steps,
+      Option.when(terminal)(new ProgressBarBuilder().setTaskName(name).setInitialMax(steps).build())
+    )
   }
 }

@@ -27,42 +27,62 @@ object RenderCommand extends CommandLine {
     val out    = o.out.getOrElse(folder.resolve(if (o.frames > 1) s"$stem-%d.png" else s"$stem.png"))
     val report = o.report.getOrElse(folder.resolve(s"$stem.json"))
     if (o.frames > 1 && !out.getFileName.toString.contains("%d"))
-      throw InputError(s"--out: $out names one file for ${o.frames} frames; put %d where the frame's number goes")
+      throw InputError(
+        s"--out: $out names one file for ${o.frames} frames; put %d where the frame's number goes"
+      )
     if (report.toAbsolutePath.normalize == out.toAbsolutePath.normalize)
       throw InputError(s"--report: $report is the picture's file as well; name another")
 
     val run = SceneRun(
-      scene.copy(name = stem), cameraOf(o, scene.camera), DrawOptions(o.light, o.cullBack, o.wrap, o.background), config,
-      o.frames, o.turn.getOrElse(360.0 / o.frames), entry, EngineOptions(o.seed, o.wave)
+      scene.copy(name = stem),
+      cameraOf(o, scene.camera),
+      DrawOptions(o.light, o.cullBack, o.wrap, o.background),
+      config,
+      o.frames,
+      o.turn.getOrElse(360.0 / o.frames),
+      entry,
+      EngineOptions(o.seed, o.wave)
     )
     val figures = run.figures((frame, verdict) =>
-      Picture.writePng(numbered(out, frame), config.width, config.height, verdict.picture))
+      Picture.writePng(numbered(out, frame), config.width, config.height, verdict.picture)
+    )
     OutputFile.writeText(report, ujson.write(RenderReport.json(name, o.seed, figures), indent = 2) + "\n")
     println(s"wrote ${if (o.frames > 1) s"$out, ${o.frames} frames" else out} and $report")
     figures.verdict(report)
   }
 
   private def numbered(out: Path, frame: Int): Path =
-    Option(out.getParent).fold(Paths.get(""))(identity).resolve(out.getFileName.toString.replace("%d", frame.toString))
+    Option(out.getParent).fold(Paths.get(""))(identity).resolve(out.getFileName.toString.replace(
+      "%d",
+      frame.toString
+    ))
 
   private def configOf(o: RenderOptions): RasterConfig =
     try RasterConfig(width = o.size._1, height = o.size._2)
     catch {
       case e: IllegalArgumentException =>
-        throw InputError(s"--size ${o.size._1}x${o.size._2}: ${e.getMessage.stripPrefix("requirement failed: ")}; choose another")
+        throw InputError(
+          s"--size ${o.size._1}x${o.size._2}: ${e.getMessage.stripPrefix("requirement failed: ")}; take another"
+        )
     }
 
   private def sceneOf(o: RenderOptions): Scene = (o.scene, o.obj) match {
     case (Some(_), Some(_)) => throw InputError("--obj: a scene is given as well; leave out --obj or --scene")
     case (_, Some(file))    => ObjScene.read(file, o.texture)
-    case (scene, None) =>
+    case (scene, None)      =>
       val made = Scenes.byName(scene.getOrElse("teapot"))
       o.texture.map(TextureFile.read(_)).fold(made)(picture =>
-        made.copy(materials = made.materials.map(m => Material.textured(m.name, picture, m.alpha))))
+        made.copy(materials = made.materials.map(m => Material.textured(m.name, picture, m.alpha)))
+      )
   }
 
   private def cameraOf(o: RenderOptions, own: Camera): Camera = Camera(
-    o.eye.getOrElse(own.eye), o.at.getOrElse(own.at), o.up.getOrElse(own.up), o.fov.getOrElse(own.fovDegrees),
-    o.near.getOrElse(own.near), o.far.getOrElse(own.far), o.ortho.orElse(own.orthoHeight)
+    o.eye.getOrElse(own.eye),
+    o.at.getOrElse(own.at),
+    o.up.getOrElse(own.up),
+    o.fov.getOrElse(own.fovDegrees),
+    o.near.getOrElse(own.near),
+    o.far.getOrElse(own.far),
+    o.ortho.orElse(own.orthoHeight)
   )
 }

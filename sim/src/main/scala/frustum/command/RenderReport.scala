@@ -11,13 +11,19 @@ object RenderReport {
 
   def json(command: String, seed: Long, f: SceneFigures, clock: Clock = Clock.ofTop(Top)): ujson.Obj = {
     val report = ujson.Obj(
-      "command" -> command, "version" -> BuildInfo.version, "seed" -> seed.toDouble, "engine" -> f.engine,
-      "scene" -> f.scene, "width" -> f.config.width, "height" -> f.config.height, "frames" -> f.frames.length
+      "command" -> command,
+      "version" -> BuildInfo.version,
+      "seed"    -> seed.toDouble,
+      "engine"  -> f.engine,
+      "scene"   -> f.scene,
+      "width"   -> f.config.width,
+      "height"  -> f.config.height,
+      "frames"  -> f.frames.length
     )
     def put(key: String, value: Option[Double]): Unit = value.foreach(v => report(key) = v)
-    val clocks = f.mean(_.clocks)
-    val atPins = f.mean(_.clocksAtPins)
-    val fragments = f.mean(frame => Some(frame.fragments))
+    val clocks                                        = f.mean(_.clocks)
+    val atPins                                        = f.mean(_.clocksAtPins)
+    val fragments                                     = f.mean(frame => Some(frame.fragments))
     put("triangles", f.mean(frame => Some(frame.sceneTriangles.toLong)))
     put("trianglesDrawn", f.mean(frame => Some(frame.trianglesDrawn.toLong)))
     put("fragments", fragments)
@@ -36,17 +42,24 @@ object RenderReport {
     f.pixelsDifferent.foreach(n => report("hardwareVsModel") = ujson.Obj("pixelsDifferent" -> n.toDouble))
     f.model.foreach { m =>
       report("modelVsReference") = ujson.Obj(
-        "coverageWrong" -> m.coverage.wrong.toDouble, "coverageMissing" -> m.coverage.missing.toDouble,
-        "coverageExtra" -> m.coverage.extra.toDouble, "coverageTwice" -> m.coverage.twice.toDouble,
-        "texelsJudged" -> m.texels.judged.toDouble, "texelsWrong" -> m.texels.wrong.toDouble,
-        "texelsWrongByMoreThanOne" -> m.texels.wrongByMoreThanOne.toDouble, "maxTexelError" -> m.texels.maxError,
-        "primitiveWrong" -> m.depth.primitiveWrong.toDouble, "depthOrderWrong" -> m.depth.depthOrderWrong.toDouble,
-        "psnr" -> orNull(f.psnr)
+        "coverageWrong"            -> m.coverage.wrong.toDouble,
+        "coverageMissing"          -> m.coverage.missing.toDouble,
+        "coverageExtra"            -> m.coverage.extra.toDouble,
+        "coverageTwice"            -> m.coverage.twice.toDouble,
+        "texelsJudged"             -> m.texels.judged.toDouble,
+        "texelsWrong"              -> m.texels.wrong.toDouble,
+        "texelsWrongByMoreThanOne" -> m.texels.wrongByMoreThanOne.toDouble,
+        "maxTexelError"            -> m.texels.maxError,
+        "primitiveWrong"           -> m.depth.primitiveWrong.toDouble,
+        "depthOrderWrong"          -> m.depth.depthOrderWrong.toDouble,
+        "psnr"                     -> orNull(f.psnr)
       )
     }
     report("endToEnd") = ujson.Obj(
-      "coverageWrong" -> f.endToEnd.coverageWrong.toDouble, "texelsWrong" -> f.endToEnd.texelsWrong.toDouble,
-      "psnr" -> orNull(f.endToEndPsnr), "flip" -> f.flip
+      "coverageWrong" -> f.endToEnd.coverageWrong.toDouble,
+      "texelsWrong"   -> f.endToEnd.texelsWrong.toDouble,
+      "psnr"          -> orNull(f.endToEndPsnr),
+      "flip"          -> f.flip
     )
     report
   }
@@ -61,7 +74,9 @@ final case class Clock(mhz: Double, source: String)
 object Clock {
   private val TargetMHz = 36.0
 
-  /** The slowest seed of the top's last bitstream report where there is one, else the frequency it aims at. */
+  /** The slowest seed of the top's last bitstream report where there is one, else the frequency it aims
+    * at.
+    */
   def ofTop(top: String, folder: Path = Paths.get("out", "bitstream")): Clock = {
     val report = folder.resolve(s"$top.json")
     val placed = Option.when(Files.isRegularFile(report))(report)

@@ -11,30 +11,47 @@ import frustum.spec.RasterConfig
   * @param turnDegrees from each frame to the next
   */
 final case class SceneRun(
-    scene: Scene, camera: Camera, options: DrawOptions, config: RasterConfig, frames: Int, turnDegrees: Double,
-    entry: EngineEntry, engineOptions: EngineOptions
+    scene: Scene,
+    camera: Camera,
+    options: DrawOptions,
+    config: RasterConfig,
+    frames: Int,
+    turnDegrees: Double,
+    entry: EngineEntry,
+    engineOptions: EngineOptions
 ) {
 
-  /** Draws and judges every frame; `each` is handed one after the other, so that no more than one picture is kept.
-    * Whatever is wrong with the input shows before the first is drawn.
+  /** Draws and judges every frame; `each` is handed one after the other, so that no more than one picture is
+    * kept. Whatever is wrong with the input shows before the first is drawn.
     */
   def figures(each: (Int, FrameVerdict) => Unit): SceneFigures = {
     val prepared: Seq[PreparedFrame] = (0 until frames).map { i =>
-      Driver.prepare(scene, camera, options.copy(turnDegrees = options.turnDegrees + i * turnDegrees), config, i)
+      Driver.prepare(
+        scene,
+        camera,
+        options.copy(turnDegrees = options.turnDegrees + i * turnDegrees),
+        config,
+        i
+      )
     }
-    println(s"${scene.name}: ${prepared.head.trianglesDrawn} triangles, ${config.width} x ${config.height}, engine ${entry.name}")
+    println(
+      s"${scene.name}: ${prepared.head.trianglesDrawn} triangles, " +
+        s"${config.width} x ${config.height}, engine ${entry.name}"
+    )
     val started  = System.nanoTime
     val rendered = entry.make(engineOptions).render(prepared)
     val seconds  = (System.nanoTime - started) / 1e9
     val model    = if (entry.name == "reference") None else Engines.model
     val judge    = new FrameJudge(model, entry.simulated)
     val progress = Progress(scene.name, frames)
-    val verdicts = try prepared.zip(rendered).zipWithIndex.map { case ((frame, drawn), i) =>
-      val verdict = judge.judge(frame, drawn)
-      each(i, verdict)
-      progress.step()
-      FrameFigures(frame, drawn, verdict)
-    } finally progress.close()
+    val verdicts =
+      try prepared.zip(rendered).zipWithIndex.map { case ((frame, drawn), i) =>
+          val verdict = judge.judge(frame, drawn)
+          each(i, verdict)
+          progress.step()
+          FrameFigures(frame, drawn, verdict)
+        }
+      finally progress.close()
     SceneFigures(scene.name, entry.name, config, verdicts, seconds)
   }
 }

@@ -16,8 +16,8 @@ final case class RenderedFrame(
     busBytes: Option[Long] = None
 )
 
-/** Something that draws prepared frames: float64, bit-exact model, or simulated hardware. All frames of one call have
-  * the same configuration and textures, so an engine may build and load once.
+/** Something that draws prepared frames: float64, bit-exact model, or simulated hardware. All frames of one
+  * call have the same configuration and textures, so an engine may build and load once.
   */
 trait Engine {
   def render(frames: Seq[PreparedFrame]): Seq[RenderedFrame]

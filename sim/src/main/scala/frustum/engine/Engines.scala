@@ -26,6 +26,6 @@ object Engines {
   val model: Option[RasterConfig => PassRenderer] = Some(new RasterModel(_))
 
   def byName(name: String): EngineEntry = table.find(_.name == name).getOrElse(
-    throw InputError(s"--engine: $name is not built yet; use one of ${table.map(_.name).mkString(", ")}")
+    throw InputError(s"--engine: $name is not built yet; choose one of ${table.map(_.name).mkString(", ")}")
   )
 }

@@ -1,6 +1,13 @@
 package frustum.judge
 
-import frustum.reference.raster.{Attributes, ExactCoverage, Sampler, ScreenVertex, TriangleAttributes}
+import frustum.reference.raster.{
+  Attributes,
+  ExactCoverage,
+  Sampler,
+  ScreenVertex,
+  Shading,
+  TriangleAttributes
+}
 import frustum.spec.{FramePass, RenderState, Wrap}
 
 /** Texels against the reference's.
@@ -12,7 +19,10 @@ import frustum.spec.{FramePass, RenderState, Wrap}
   */
 final case class AttributeVerdict(judged: Long, wrong: Long, wrongByMoreThanOne: Long, maxError: Int) {
   def +(o: AttributeVerdict): AttributeVerdict = AttributeVerdict(
-    judged + o.judged, wrong + o.wrong, wrongByMoreThanOne + o.wrongByMoreThanOne, maxError.max(o.maxError)
+    judged + o.judged,
+    wrong + o.wrong,
+    wrongByMoreThanOne + o.wrongByMoreThanOne,
+    maxError.max(o.maxError)
   )
 }
 
@@ -24,31 +34,39 @@ object AttributeJudge {
 
   def judge(pass: FramePass, fragments: Iterable[LoggedFragment]): AttributeVerdict = {
     val coverage = ExactCoverage.of(pass)
-    val planes = pass.triangles.map { t =>
+    val planes   = pass.triangles.map { t =>
       new TriangleAttributes(IndexedSeq(t.v0, t.v1, t.v2).map(i => ScreenVertex.of(pass.vertices(i))))
     }
     fragments.foldLeft(Clean) { (sum, f) =>
       // A fragment outside its triangle is the coverage judge's affair: it has no true coordinate.
       if (!coverage.isDefinedAt(f.triangle) || !coverage(f.triangle).contains(f.x, f.y)) sum
-      else one(pass.states(pass.triangles(f.triangle).state), planes(f.triangle)(f.x, f.y), f.texelS, f.texelT)
-        .fold(sum)(sum + _)
+      else
+        one(pass.states(pass.triangles(f.triangle).state), planes(f.triangle)(f.x, f.y), f.texelS, f.texelT)
+          .fold(sum)(sum + _)
     }
   }
 
   /** The verdict on one fragment, None where it is not judged. */
   def one(state: RenderState, truth: Attributes, texelS: Int, texelT: Int): Option[AttributeVerdict] =
-    state.texture.flatMap { texture =>
+    Shading.textureOf(state).flatMap { texture =>
       val (u, v) = (truth.s * texture.width, truth.t * texture.height)
       if (nearBorder(u) || nearBorder(v)) None
       else {
-        val error = distance(u, texelS, texture.width, state.wrapS).max(distance(v, texelT, texture.height, state.wrapT))
+        val error = distance(
+          u,
+          texelS,
+          texture.width,
+          state.wrapS
+        ).max(distance(v, texelT, texture.height, state.wrapT))
         Some(AttributeVerdict(1, if (error > 0) 1 else 0, if (error > 1) 1 else 0, error))
       }
     }
 
   private def nearBorder(u: Double) = (u - u.round).abs < Border
 
-  /** Texels between the one read and the true one; with repeat the first and the last texel are neighbours. */
+  /** Texels between the one read and the true one; with repeat the first and the last texel are
+    * neighbours.
+    */
   def distance(u: Double, texel: Int, size: Int, wrap: Wrap): Int = {
     val straight = (Sampler.wrap(u.floor.toLong, size, wrap) - texel).abs
     if (wrap == Wrap.Repeat) straight.min((size - straight).abs) else straight

@@ -11,13 +11,13 @@ import frustum.spec.{FramePass, RasterConfig}
   * @param twice   further drawings of a pixel that one triangle had drawn already
   */
 final case class CoverageVerdict(covered: Long, missing: Long, extra: Long, twice: Long) {
-  def wrong: Long = missing + extra + twice
+  def wrong: Long                            = missing + extra + twice
   def +(o: CoverageVerdict): CoverageVerdict =
     CoverageVerdict(covered + o.covered, missing + o.missing, extra + o.extra, twice + o.twice)
 }
 
-/** Holds the fragments of a pass against exact coverage, triangle by triangle: because the rule gives each pixel of a
-  * shared edge to one triangle, this finds gaps and double hits along edges as well.
+/** Holds the fragments of a pass against exact coverage, triangle by triangle: because the rule gives each
+  * pixel of a shared edge to one triangle, this finds gaps and double hits along edges as well.
   */
 object CoverageJudge {
   val Clean: CoverageVerdict = CoverageVerdict(0, 0, 0, 0)
@@ -25,8 +25,9 @@ object CoverageJudge {
   def judge(pass: FramePass, fragments: Iterable[LoggedFragment], config: RasterConfig): CoverageVerdict = {
     val rect       = PixelRect.of(pass.region, config)
     val byTriangle = fragments.groupBy(_.triangle)
-    val unknown    = byTriangle.collect { case (t, f) if t < 0 || t >= pass.triangles.length => f.size.toLong }.sum
-    val stamp      = Array.fill(config.width * config.height)(-1)
+    val unknown    =
+      byTriangle.collect { case (t, f) if t < 0 || t >= pass.triangles.length => f.size.toLong }.sum
+    val stamp = Array.fill(config.width * config.height)(-1)
     ExactCoverage.of(pass).zipWithIndex.foldLeft(Clean.copy(extra = unknown)) { case (sum, (exact, index)) =>
       sum + judgeTriangle(exact, rect, byTriangle.getOrElse(index, Nil), config.width, stamp, 2 * index)
     }
@@ -34,7 +35,12 @@ object CoverageJudge {
 
   /** `stamp` is scratch: `mark` means in the exact set, `mark + 1` that it was drawn as well. */
   private def judgeTriangle(
-      exact: ExactCoverage, rect: PixelRect, drawn: Iterable[LoggedFragment], width: Int, stamp: Array[Int], mark: Int
+      exact: ExactCoverage,
+      rect: PixelRect,
+      drawn: Iterable[LoggedFragment],
+      width: Int,
+      stamp: Array[Int],
+      mark: Int
   ): CoverageVerdict = {
     var covered, seen, extra, twice = 0L
     exact.foreach(rect) { (x, y) => stamp(y * width + x) = mark; covered += 1 }

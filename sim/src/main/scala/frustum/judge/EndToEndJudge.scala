@@ -1,7 +1,7 @@
 package frustum.judge
 
 import frustum.host.PreparedFrame
-import frustum.reference.raster.ReferenceRaster
+import frustum.reference.raster.{ReferenceRaster, Shading}
 import scala.collection.mutable.ArrayBuffer
 
 /** The whole chain against unquantised input: charted, not bounded.
@@ -14,8 +14,8 @@ final case class EndToEndVerdict(coverageWrong: Long, texelsWrong: Long) {
     EndToEndVerdict(coverageWrong + o.coverageWrong, texelsWrong + o.texelsWrong)
 }
 
-/** Compares layer by layer in drawing order, because snapping moves an edge, and with it a pixel, from one triangle to
-  * its neighbour without anything to be seen.
+/** Compares layer by layer in drawing order, because snapping moves an edge, and with it a pixel, from one
+  * triangle to its neighbour without anything to be seen.
   */
 object EndToEndJudge {
   private type Layers = Array[ArrayBuffer[Option[(Int, Int)]]]
@@ -24,15 +24,15 @@ object EndToEndJudge {
     * @return the verdict, and the picture it was judged against as 0xRRGGBB
     */
   def judge(frame: PreparedFrame, fragments: Seq[Iterable[LoggedFragment]]): (EndToEndVerdict, Array[Int]) = {
-    val width              = frame.config.width
-    def empty: Layers      = Array.fill(width * frame.config.height)(ArrayBuffer.empty)
-    val (drawn, truth)     = (empty, empty)
+    val width          = frame.config.width
+    def empty: Layers  = Array.fill(width * frame.config.height)(ArrayBuffer.empty)
+    val (drawn, truth) = (empty, empty)
     for ((pass, log) <- frame.passes.zip(fragments); f <- log) {
-      val textured = pass.states(pass.triangles(f.triangle).state).texture.isDefined
+      val textured = Shading.textureOf(pass.states(pass.triangles(f.triangle).state)).isDefined
       drawn(f.y * width + f.x) += Option.when(textured)((f.texelS, f.texelT))
     }
     val reference = ReferenceRaster.drawEndToEnd(frame, f => truth(f.y * width + f.x) += f.texel)
-    val verdict = drawn.zip(truth).foldLeft(EndToEndVerdict(0, 0)) { case (sum, (mine, its)) =>
+    val verdict   = drawn.zip(truth).foldLeft(EndToEndVerdict(0, 0)) { case (sum, (mine, its)) =>
       if (mine.length != its.length) sum + EndToEndVerdict((mine.length - its.length).abs, 0)
       else sum + EndToEndVerdict(0, mine.zip(its).count { case (a, b) => a.isDefined && a != b })
     }

@@ -4,8 +4,9 @@ import scala.math.{Pi, cbrt, exp, hypot, pow, sqrt}
 
 /** LDR-FLIP: how different two pictures look when one flips between them.
   *
-  * Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom, Fairchild: "FLIP: A Difference Evaluator for Alternating
-  * Images", HPG 2020. Pictures are sRGB, 0xRRGGBB, row by row. All filters of the paper are sums of separable ones.
+  * Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom, Fairchild: "FLIP: A Difference Evaluator for
+  * Alternating Images", HPG 2020. Pictures are sRGB, 0xRRGGBB, row by row. All filters of the paper are sums
+  * of separable ones.
   *
   * @param pixelsPerDegree of visual angle; 67 is the paper's monitor of 0.7 m and 3840 pixels at 0.7 m
   */
@@ -39,9 +40,10 @@ final class Flip(width: Int, height: Int, pixelsPerDegree: Double = Flip.PixelsP
   private def colorDifference(a: Array[Plane], b: Array[Plane]): Plane = {
     val (fa, fb) = (contrastFiltered(a), contrastFiltered(b))
     Array.tabulate(pixels) { i =>
-      def perceived(p: Array[Plane]) = Flip.huntLab(Flip.rgbOfOpponent(Array(p(0)(i), p(1)(i), p(2)(i))).map(_.max(0).min(1)))
-      val e     = pow(Flip.hyab(perceived(fa), perceived(fb)), Flip.Qc)
-      val knee  = 0.4 * Flip.MaxColorError
+      def perceived(p: Array[Plane]) =
+        Flip.huntLab(Flip.rgbOfOpponent(Array(p(0)(i), p(1)(i), p(2)(i))).map(_.max(0).min(1)))
+      val e    = pow(Flip.hyab(perceived(fa), perceived(fb)), Flip.Qc)
+      val knee = 0.4 * Flip.MaxColorError
       if (e < knee) 0.95 / knee * e else 0.95 + (e - knee) / (Flip.MaxColorError - knee) * 0.05
     }
   }
@@ -51,7 +53,9 @@ final class Flip(width: Int, height: Int, pixelsPerDegree: Double = Flip.PixelsP
     // Per channel the weights a and widths b of its Gaussians, the paper's table 1.
     val terms = Seq(Seq((1.0, 0.0047)), Seq((1.0, 0.0053)), Seq((34.1, 0.04), (13.5, 0.025)))
     terms.zip(p).map { case (gaussians, plane) =>
-      val kernels = gaussians.map { case (_, b) => samples(radius)(x => exp(-Pi * Pi * x * x / (b * pixelsPerDegree * pixelsPerDegree))) }
+      val kernels = gaussians.map { case (_, b) =>
+        samples(radius)(x => exp(-Pi * Pi * x * x / (b * pixelsPerDegree * pixelsPerDegree)))
+      }
       val weights = gaussians.map { case (a, b) => a * sqrt(Pi / b) }
       val total   = kernels.zip(weights).map { case (k, w) => w * k.sum * k.sum }.sum
       val parts   = kernels.zip(weights).map { case (k, w) => convolve(plane, k, k).map(_ * w / total) }
@@ -61,10 +65,10 @@ final class Flip(width: Int, height: Int, pixelsPerDegree: Double = Flip.PixelsP
 
   /** Section 4.2: edges and points, by first and second derivatives of a Gaussian as wide as the eye sees. */
   private def featureDifference(a: Plane, b: Plane): Plane = {
-    val sigma  = 0.5 * 0.082 * pixelsPerDegree
-    val radius = (3 * sigma).ceil.toInt
+    val sigma            = 0.5 * 0.082 * pixelsPerDegree
+    val radius           = (3 * sigma).ceil.toInt
     def gauss(x: Double) = exp(-x * x / (2 * sigma * sigma))
-    val smooth = { val k = samples(radius)(gauss); k.map(_ / k.sum) }
+    val smooth           = { val k = samples(radius)(gauss); k.map(_ / k.sum) }
     // The positive weights of the whole kernel add up to 1, the negative ones to -1.
     def balanced(k: Array[Double]) = {
       val (positive, negative) = (k.filter(_ > 0).sum, -k.filter(_ < 0).sum)
@@ -73,8 +77,8 @@ final class Flip(width: Int, height: Int, pixelsPerDegree: Double = Flip.PixelsP
     val edge  = balanced(samples(radius)(x => -x * gauss(x)))
     val point = balanced(samples(radius)(x => (x * x / (sigma * sigma) - 1) * gauss(x)))
     def strength(image: Plane, kernel: Array[Double]) = {
-      val y          = image.map(v => (v + 16) / 116)
-      val (gx, gy)   = (convolve(y, kernel, smooth), convolve(y, smooth, kernel))
+      val y        = image.map(v => (v + 16) / 116)
+      val (gx, gy) = (convolve(y, kernel, smooth), convolve(y, smooth, kernel))
       Array.tabulate(pixels)(i => hypot(gx(i), gy(i)))
     }
     val Seq(edges, points) = Seq(edge, point).map { kernel =>
@@ -84,7 +88,8 @@ final class Flip(width: Int, height: Int, pixelsPerDegree: Double = Flip.PixelsP
     Array.tabulate(pixels)(i => sqrt(edges(i).max(points(i)) / sqrt(2)))
   }
 
-  private def samples(radius: Int)(f: Double => Double) = Array.tabulate(2 * radius + 1)(i => f((i - radius).toDouble))
+  private def samples(radius: Int)(f: Double => Double) =
+    Array.tabulate(2 * radius + 1)(i => f((i - radius).toDouble))
 
   /** Correlation with kernelX along rows and kernelY down columns; border pixels are repeated outwards. */
   private def convolve(image: Plane, kernelX: Array[Double], kernelY: Array[Double]): Plane = {
@@ -120,7 +125,8 @@ object Flip {
   private val white    = xyzOfRgb.map(_.sum)
   private val rgbOfXyz = inverse(xyzOfRgb)
 
-  private def times(m: Array[Array[Double]], v: Triple): Triple = m.map(r => r(0) * v(0) + r(1) * v(1) + r(2) * v(2))
+  private def times(m: Array[Array[Double]], v: Triple): Triple =
+    m.map(r => r(0) * v(0) + r(1) * v(1) + r(2) * v(2))
 
   private def inverse(m: Array[Array[Double]]): Array[Array[Double]] = {
     def minor(r: Int, c: Int) = {
@@ -152,7 +158,8 @@ object Flip {
   /** CIE L*a*b* with chroma scaled by lightness (the Hunt effect). */
   private def huntLab(rgb: Triple): Triple = {
     val delta = 6.0 / 29
-    val f = relative(rgb).map(t => if (t > delta * delta * delta) cbrt(t) else t / (3 * delta * delta) + 4.0 / 29)
+    val f     =
+      relative(rgb).map(t => if (t > delta * delta * delta) cbrt(t) else t / (3 * delta * delta) + 4.0 / 29)
     val l = 116 * f(1) - 16
     Array(l, 0.01 * l * 500 * (f(0) - f(1)), 0.01 * l * 200 * (f(1) - f(2)))
   }

@@ -8,7 +8,8 @@ import frustum.spec.RasterConfig
 
 /** The model against the reference that was fed with the vertices as the hardware decodes them. */
 final case class ModelVerdict(coverage: CoverageVerdict, texels: AttributeVerdict, depth: DepthVerdict) {
-  def +(o: ModelVerdict): ModelVerdict = ModelVerdict(coverage + o.coverage, texels + o.texels, depth + o.depth)
+  def +(o: ModelVerdict): ModelVerdict =
+    ModelVerdict(coverage + o.coverage, texels + o.texels, depth + o.depth)
 }
 
 /** Everything known of one rendered frame. Pictures are 0xRRGGBB.
@@ -38,7 +39,7 @@ final class FrameJudge(model: Option[RasterConfig => PassRenderer], simulated: B
     val memory   = ReferenceRaster.texelMemory(frame.textures)
     val renderer = model.fold[PassRenderer](new ReferenceRenderer(config))(_(config))
     val image    = new Array[Int](config.width * config.height)
-    val logs = frame.passes.map { pass =>
+    val logs     = frame.passes.map { pass =>
       val log = new FragmentLog
       renderer.draw(pass, memory, image, Some(log))
       log.fragments
@@ -48,20 +49,31 @@ final class FrameJudge(model: Option[RasterConfig => PassRenderer], simulated: B
     FrameVerdict(
       // The reference's own picture need not be squeezed into RGB565.
       picture = if (model.isEmpty) reference else Picture.ofRgb565(rendered.image),
-      reference, endToEndPicture, logs.map(_.length.toLong).sum,
+      reference,
+      endToEndPicture,
+      logs.map(_.length.toLong).sum,
       Option.when(simulated)(image.indices.count(i => image(i) != rendered.image(i)).toLong),
       Option.when(model.isDefined)(judgeModel(frame, logs, memory)),
       endToEnd
     )
   }
 
-  private def judgeModel(frame: PreparedFrame, logs: Seq[IndexedSeq[LoggedFragment]], memory: Array[Int]): ModelVerdict =
+  private def judgeModel(
+      frame: PreparedFrame,
+      logs: Seq[IndexedSeq[LoggedFragment]],
+      memory: Array[Int]
+  ): ModelVerdict =
     frame.passes.zip(logs).map { case (pass, log) =>
       val reference = new ReferenceFrame(frame.config)
       ReferenceRaster.drawPass(reference, pass, memory, 0, _ => ())
       ModelVerdict(
-        CoverageJudge.judge(pass, log, frame.config), AttributeJudge.judge(pass, log),
+        CoverageJudge.judge(pass, log, frame.config),
+        AttributeJudge.judge(pass, log),
         new DepthJudge(pass, frame.config, memory).judge(log, reference)
       )
-    }.reduceOption(_ + _).getOrElse(ModelVerdict(CoverageJudge.Clean, AttributeJudge.Clean, DepthVerdict(0, 0)))
+    }.reduceOption(_ + _).getOrElse(ModelVerdict(
+      CoverageJudge.Clean,
+      AttributeJudge.Clean,
+      DepthVerdict(0, 0)
+    ))
 }

@@ -16,7 +16,7 @@ case class SimSpiHost(bytesLog2: Int = 18, halfPeriod: Int = 1) extends Componen
     val pins  = master(CommandPins())
     val cts   = in Bool ()
     val bytes = in UInt (bytesLog2 + 1 bits) // how many to send in all; may grow
-    val sent  = out(UInt(bytesLog2 + 1 bits)).simPublic()
+    val sent  = out UInt (bytesLog2 + 1 bits)
   }
   val memory = Mem(Bits(8 bits), 1 << bytesLog2).simPublic()
 
@@ -52,10 +52,9 @@ case class SimSpiHost(bytesLog2: Int = 18, halfPeriod: Int = 1) extends Componen
 
 object SimSpiHost {
 
-  /** Puts bytes into the memory; before the simulated clock runs, or behind what was sent. */
-  def load(host: SimSpiHost, bytes: Seq[Int], at: Int = 0): Unit = {
-    require(at + bytes.length <= (1 << host.bytesLog2), s"SimSpiHost: ${at + bytes.length} bytes, room for ${1 << host.bytesLog2}")
-    for ((b, i) <- bytes.zipWithIndex) host.memory.setBigInt(at + i, BigInt(b))
-    host.io.bytes #= at + bytes.length
+  /** Puts bytes into the memory from `at` on; what was sent may be overwritten. */
+  def load(memory: Mem[Bits], bytes: Seq[Int], at: Int = 0): Unit = {
+    require(at + bytes.length <= memory.wordCount, s"SimSpiHost: ${at + bytes.length} bytes, room for ${memory.wordCount}")
+    for ((b, i) <- bytes.zipWithIndex) memory.setBigInt(at + i, BigInt(b))
   }
 }

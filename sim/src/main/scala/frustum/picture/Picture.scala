@@ -14,8 +14,8 @@ object Picture {
     widen(c >> 11 & 31, 31) << 16 | widen(c >> 5 & 63, 63) << 8 | widen(c & 31, 31)
   }
 
-  /** Amplified absolute difference on white: equal pixels are white, the more two differ the darker, and any difference
-    * at all shows.
+  /** Amplified absolute difference on white: equal pixels are white, the more two differ the darker, and any
+    * difference at all shows.
     */
   def difference(a: Array[Int], b: Array[Int], gain: Int = 8): Array[Int] = {
     require(a.length == b.length, s"pictures of ${a.length} and ${b.length} pixels")

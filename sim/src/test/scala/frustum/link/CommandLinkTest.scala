@@ -39,7 +39,7 @@ class CommandLinkTest extends AnyFunSuite {
 
   private def traffic(config: RasterConfig, seed: Int, frames: Int): Seq[Int] = {
     val t = new LinkTraffic(config, new Random(seed))
-    (1 to frames).flatMap(n => t.bytes(t.frame(n), errors = true)) ++ t.bytes(t.frame(99), errors = false)
+    t.fill() ++ (1 to frames).flatMap(n => t.bytes(t.frame(n), errors = true)) ++ t.bytes(t.frame(99), errors = false)
   }
 
   for ((stall, seed) <- Seq((0.0, 1), (0.4, 2), (0.7, 3)))

@@ -40,6 +40,14 @@ final class LinkTraffic(config: RasterConfig, random: Random) {
     Seq(range(config.tilesX), range(config.tilesY))
   }
 
+  /** Gives every vertex of both banks a tag that no other frame has: what the memory holds at power-up is chance. */
+  def fill(): Seq[Int] = {
+    val vertex   = PackedVertex(0, 0, 0, 32768, 0, 0, 0, 0, 0, 0, 0).words
+    val vertices = (0 until config.maxVertices).grouped(11).map(g => (Command.Vertices, g.head +: g.flatMap(_ => vertex)))
+    val one      = (Command.Begin, Seq(127, 0, 0, 0)) +: vertices.toSeq :+ ((Command.Draw, Seq(config.maxVertices, 0)))
+    bytes(one ++ one, errors = false)
+  }
+
   /** One frame as (command, payload). */
   def frame(number: Int): Seq[(Command, Seq[Int])] = {
     val counts    = Seq.fill(1 + random.nextInt(5))(1 + random.nextInt(11))

@@ -77,8 +77,8 @@ class SpiSlaveTest extends AnyFunSuite {
     test(s"SCK half period $half ps, core period $core ps, $late bytes after cts: nothing is lost") {
       simulate(s"heed$seed", seed, half, core, late) { (dut, host, sink, model) =>
         val t = new LinkTraffic(config, new Random(seed))
-        for (n <- 1 to 8) {
-          val bytes = t.bytes(t.frame(n), errors = n % 2 == 0)
+        for (n <- 0 to 8) {
+          val bytes = if (n == 0) t.fill() else t.bytes(t.frame(n), errors = n % 2 == 0)
           host.send(bytes)
           model.feed(bytes)
         }
@@ -111,8 +111,8 @@ class SpiSlaveTest extends AnyFunSuite {
   test("a host may stop after any bit and start again") {
     simulate("stop", 6, sck48, 27778) { (dut, host, sink, model) =>
       val t = new LinkTraffic(config, new Random(6))
-      for (n <- 1 to 24) {
-        val bytes = t.bytes(t.frame(n), errors = false)
+      for (n <- 0 to 24) {
+        val bytes = if (n == 0) t.fill() else t.bytes(t.frame(n), errors = false)
         val cut   = bytes.take(n * 5)
         host.send(cut)
         host.sendBits(0xa5, n % 8) // the rest of the byte never comes

@@ -9,7 +9,7 @@ import spinal.core._
 import spinal.lib._
 
 /** The fragment pipeline as its sender uses it: `begin` starts a frame, and fragments follow when that was taken. */
-class FragmentHarness(config: RasterConfig) extends Component {
+class FragmentHarness(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
     val up         = slave(Stream(InterpolatedFragment(config)))
     val state      = in(RenderStateWord())
@@ -20,7 +20,7 @@ class FragmentHarness(config: RasterConfig) extends Component {
     val pixels     = master(Stream(ResolvedPixel(config)))
     val busy       = out Bool ()
   }
-  val pipeline = FragmentPipeline(config, Tech.Generic)
+  val pipeline = FragmentPipeline(config, tech)
   val started  = RegInit(False) setWhen pipeline.io.start.fire
   pipeline.io.start.valid      := io.begin && !started
   pipeline.io.start.clearColor := io.clearColor

@@ -33,12 +33,11 @@ class TriangleSetupAccuracyTest extends AnyFunSuite {
       val area = (v(1).x - v(0).x).toDouble * (v(2).y - v(0).y) - (v(2).x - v(0).x).toDouble * (v(1).y - v(0).y)
       val worst = Array.fill(Planes)(0.0)
       for {
-        tileY <- scala.math.max(0, setup.firstY) / 16 to scala.math.min(319, setup.lastY) / 16
-        tileX <- scala.math.max(0, setup.firstX) / 32 to scala.math.min(239, setup.lastX) / 32
+        tileY <- 0 until 20
+        tileX <- 0 until 8
       } {
-        val (left, top) = (scala.math.max(tileX * 32, setup.firstX), scala.math.max(tileY * 16, setup.firstY))
-        val (right, bottom) = (scala.math.min(tileX * 32 + 31, setup.lastX), scala.math.min(tileY * 16 + 15, setup.lastY))
-        if (left <= right && top <= bottom) {
+        val (left, right, top, bottom) = (tileX * 32, scala.math.min(tileX * 32 + 31, 239), tileY * 16, tileY * 16 + 15)
+        if (v.exists(_.x >= 16 * left) && v.exists(_.x < 16 * right + 16) && v.exists(_.y >= 16 * top) && v.exists(_.y < 16 * bottom + 16)) {
           setup.edges(left, right, top)
           val spans = EdgeWalker.spans(left, right, top, bottom, setup.edge, setup.stepX, setup.stepY)
           spans.headOption.foreach { first =>

@@ -13,6 +13,7 @@ object Ice40Flow {
   def run(top: BoardTop, seeds: Seq[Int], directory: Path, tools: Ice40Tools, say: String => Unit): BitstreamReport = {
     val work = directory.resolve(s"${top.name}.build")
     Files.createDirectories(work)
+    work.toFile.listFiles.filter(_.isFile).foreach(_.delete())
     val module = top.writeVerilog(work.toString)
     say(s"elaborated $module into $work/${top.name}.v")
     Yosys.synthesise(tools.yosys, work, top.name, module)

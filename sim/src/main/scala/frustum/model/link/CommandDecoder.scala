@@ -64,7 +64,7 @@ final class CommandDecoder(config: RasterConfig) {
 
   private def writeVertices(first: Int, w: Seq[Int]): Unit =
     for ((v, i) <- w.grouped(PackedVertex.WireWords).zipWithIndex) {
-      vertices = (vertices + 1) & 0xffff
+      vertices = (vertices + 1) & 0xfff
       val index = first + i
       if (index >= config.maxVertices) verticesRefused += 1
       else writeVertex(layout.vertexWords * index, v)
@@ -95,7 +95,7 @@ final class CommandDecoder(config: RasterConfig) {
   }
 
   private def writeTriangle(state: Int, indices: Long): Unit = {
-    triangles = (triangles + 1) & 0xffff
+    triangles = (triangles + 1) & 0xfff
     val corners = Seq(20, 10, 0).map(shift => ((indices >> shift) & 1023).toInt)
     val sent = corners.forall { v =>
       v < config.maxVertices && banks(bank)(layout.vertexWords * v + 3) != CommandDecoder.Unwritten &&

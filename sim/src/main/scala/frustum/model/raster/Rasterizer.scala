@@ -28,17 +28,13 @@ final case class Rasterizer(config: RasterConfig) {
   }
 
   private def drawInTile(pass: FramePass, n: Int, setup: TriangleSetup, tileX: Int, tileY: Int, sink: FragmentSink): Unit = {
-    import scala.math.{max, min}
     val (originX, originY) = (tileX * config.tileWidth, tileY * config.tileHeight)
-    val left   = max(originX, setup.firstX)
-    val right  = min(min(originX + config.tileWidth, config.width) - 1, setup.lastX)
-    val top    = max(originY, setup.firstY)
-    val bottom = min(min(originY + config.tileHeight, config.height) - 1, setup.lastY)
-    if (left <= right && top <= bottom) {
-      setup.edges(left, right, top)
-      val spans = EdgeWalker.spans(left, right, top, bottom, setup.edge, setup.stepX, setup.stepY)
-      if (spans.nonEmpty) {
-        val first = spans.head
+    val right  = scala.math.min(originX + config.tileWidth, config.width) - 1
+    val bottom = scala.math.min(originY + config.tileHeight, config.height) - 1
+    if (mayTouch(pass, n, originX, right, originY, bottom)) {
+      setup.edges(originX, right, originY)
+      val spans = EdgeWalker.spans(originX, right, originY, bottom, setup.edge, setup.stepX, setup.stepY)
+      spans.headOption.foreach { first =>
         setup.rebase(first.first, first.y)
         val state = pass.states(pass.triangles(n).state)
         for ((span, row) <- spans.zipWithIndex) {
@@ -54,5 +50,12 @@ final case class Rasterizer(config: RasterConfig) {
         }
       }
     }
+  }
+
+  /** Whether the bounding box reaches into the tile; a mere saving of time. */
+  private def mayTouch(pass: FramePass, n: Int, left: Int, right: Int, top: Int, bottom: Int): Boolean = {
+    val t = pass.triangles(n)
+    val v = Seq(t.v0, t.v1, t.v2).map(pass.vertices)
+    v.exists(_.x >= 16 * left) && v.exists(_.x < 16 * right + 16) && v.exists(_.y >= 16 * top) && v.exists(_.y < 16 * bottom + 16)
   }
 }

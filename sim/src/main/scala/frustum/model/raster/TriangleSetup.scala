@@ -45,17 +45,11 @@ final class TriangleSetup {
     }
   }
 
-  /** Pixels whose centres lie inside the bounding box: first and last column, first and last row. */
-  def firstX: Int = word(BoxX) >> 16
-  def lastX: Int  = word(BoxX).toShort
-  def firstY: Int = word(BoxY) >> 16
-  def lastY: Int  = word(BoxY).toShort
-
   /** Steps of edge k per 1/16 pixel. */
   def stepX(k: Int): Int = (k match { case 0 => word(A0_16); case 1 => word(DY2_16); case 2 => -word(DY1_16) }) >> 16
   def stepY(k: Int): Int = (k match { case 0 => word(B0_16); case 1 => -word(DX2_16); case 2 => word(DX1_16) }) >> 16
 
-  /** Edge functions on row `top`, each at the end of the window where its walk starts. */
+  /** Edge functions on row `top`, each at the column, `left` or `right`, where its walk starts. */
   def edges(left: Int, right: Int, top: Int): Unit = {
     word(Left) = 16 * left - word(X0)
     word(Right) = 16 * right - word(X0)
@@ -80,9 +74,6 @@ final class TriangleSetup {
     word(DX2_16) = (v2.x - v0.x) << 16
     word(DY1_16) = (v1.y - v0.y) << 16
     word(DY2_16) = (v2.y - v0.y) << 16
-    def box(c: Seq[Int]) = ((c.min - 8 + 15) >> 4) << 16 | ((c.max - 8) >> 4) & 0xffff
-    word(BoxX) = box(v.map(_.x))
-    word(BoxY) = box(v.map(_.y))
     val exponent = v.map(_.qExponent).max
     for (k <- 0 to 2) {
       word(s(k)) = v(k).s << 6

@@ -9,13 +9,13 @@ object PerspectiveDivide {
   def exponent(q: Int): Int = Integer.numberOfLeadingZeros((q << 1) | (1 << 16))
 
   /** r = 2 - 1/qn with 16 fraction bits. */
-  def reciprocal(q: Int, exponent: Int): Int = ReciprocalTable(((q << exponent) >>> 9) & 0x1fffff)
+  def reciprocal(q: Int, exponent: Int): Int = ReciprocalTable(((q << exponent) >>> 10) & 0xfffff)
 
   /** The coordinate in repeats, 17 fraction bits. */
   def quotient(s: Int, exponent: Int, reciprocal: Int): Int = {
-    val sn      = (s << exponent) >> 6
-    val product = (sn >> 16) * reciprocal + (((sn & 0xffff) * reciprocal) >>> 16)
-    2 * sn - product
+    val sn      = (s << exponent) >> 1
+    val product = (~sn >> 16) * reciprocal + (((~sn & 0xffff) * reciprocal) >>> 16)
+    (2 * sn + product) >> 5
   }
 
   def apply(s: Int, q: Int): Int = {

@@ -29,7 +29,8 @@ object PixelRect {
 
   /** The pixels of a tile region that lie on the screen. */
   def of(region: TileRegion, c: RasterConfig): PixelRect = PixelRect(
-    region.x0 << c.tileLog2Width, region.y0 << c.tileLog2Height,
+    region.x0 << c.tileLog2Width,
+    region.y0 << c.tileLog2Height,
     (((region.x1 + 1) << c.tileLog2Width) - 1).min(c.width - 1),
     (((region.y1 + 1) << c.tileLog2Height) - 1).min(c.height - 1)
   )
@@ -38,15 +39,19 @@ object PixelRect {
 
 /** Exact coverage of a triangle with integer vertices, by edge functions in whole numbers.
   *
-  * With E(p) = (bx - ax)(py - ay) - (by - ay)(px - ax) for the edges a -> b, a centre is inside when all three are
-  * positive; one that lies on an edge belongs to the triangle when that edge is a left edge (inside is to its right) or
-  * a horizontal top edge (Pineda, "A parallel algorithm for polygon rasterization", 1988, with the top-left rule).
-  * Triangles that turn counter-clockwise on the screen, and degenerate ones, cover nothing.
+  * With E(p) = (bx - ax)(py - ay) - (by - ay)(px - ax) for the edges a -> b, a centre is inside when all
+  * three are positive; one that lies on an edge belongs to the triangle when that edge is a left edge (inside
+  * is to its right) or a horizontal top edge (Pineda, "A parallel algorithm for polygon rasterization", 1988,
+  * with the top-left rule). Triangles that turn counter-clockwise on the screen, and degenerate ones, cover
+  * nothing.
   *
   * @param unit vertex units a pixel, even; coordinates below 2^29 in magnitude cannot overflow
   */
 final class ExactCoverage(xs: IndexedSeq[Long], ys: IndexedSeq[Long], unit: Int) extends Coverage {
-  require(unit > 0 && unit % 2 == 0, s"ExactCoverage: $unit units a pixel put the pixel centre between two units")
+  require(
+    unit > 0 && unit % 2 == 0,
+    s"ExactCoverage: $unit units a pixel put the pixel centre between two units"
+  )
 
   private def edge(i: Int, px: Long, py: Long): Long = {
     val j = (i + 1) % 3
@@ -61,7 +66,9 @@ final class ExactCoverage(xs: IndexedSeq[Long], ys: IndexedSeq[Long], unit: Int)
     -dy > 0 || (dy == 0 && dx > 0)
   }
 
-  private def inside(i: Int, px: Long, py: Long) = { val e = edge(i, px, py); e > 0 || (e == 0 && topLeft(i)) }
+  private def inside(i: Int, px: Long, py: Long) = {
+    val e = edge(i, px, py); e > 0 || (e == 0 && topLeft(i))
+  }
 
   def contains(x: Int, y: Int): Boolean = {
     val px = x.toLong * unit + unit / 2
@@ -92,8 +99,8 @@ object ExactCoverage {
   }
 }
 
-/** Coverage of a triangle whose vertices are not snapped: the same rule in double precision, so exact up to the rounding
-  * of the edge functions. Either winding is drawn; degenerate triangles cover nothing.
+/** Coverage of a triangle whose vertices are not snapped: the same rule in double precision, so exact up to
+  * the rounding of the edge functions. Either winding is drawn; degenerate triangles cover nothing.
   */
 final class FloatCoverage(v: IndexedSeq[ScreenVertex]) extends Coverage {
   private def edge(a: ScreenVertex, b: ScreenVertex, px: Double, py: Double) =
@@ -110,6 +117,9 @@ final class FloatCoverage(v: IndexedSeq[ScreenVertex]) extends Coverage {
     inside(turning(1), turning(2), x, y) && inside(turning(2), turning(0), x, y)
 
   val bounds: PixelRect = PixelRect(
-    v.map(_.x).min.floor.toInt, v.map(_.y).min.floor.toInt, v.map(_.x).max.floor.toInt, v.map(_.y).max.floor.toInt
+    v.map(_.x).min.floor.toInt,
+    v.map(_.y).min.floor.toInt,
+    v.map(_.x).max.floor.toInt,
+    v.map(_.y).max.floor.toInt
   )
 }

@@ -5,11 +5,16 @@ import frustum.spec.{FramePass, RenderState, TextureUpload}
 
 /** A covered pixel of the reference, before any test. `texel` is after wrapping, None without a texture. */
 final case class ReferenceFragment(
-    triangle: Int, x: Int, y: Int, at: Attributes, texel: Option[(Int, Int)], state: RenderState
+    triangle: Int,
+    x: Int,
+    y: Int,
+    at: Attributes,
+    texel: Option[(Int, Int)],
+    state: RenderState
 )
 
-/** Draws frames in float64 from the textbook: homogeneous coordinates, perspective-exact texture coordinates, top-left
-  * rule, pixel centres at +0.5. It shares no arithmetic with the hardware or its model.
+/** Draws frames in float64 from the textbook: homogeneous coordinates, perspective-exact texture coordinates,
+  * top-left rule, pixel centres at +0.5. It shares no arithmetic with the hardware or its model.
   */
 object ReferenceRaster {
   type Watch = ReferenceFragment => Unit
@@ -34,19 +39,33 @@ object ReferenceRaster {
   }
 
   /** Draws one pass into `target`; its triangles are numbered from `first`. */
-  def drawPass(target: ReferenceFrame, pass: FramePass, memory: Array[Int], first: Int, watch: Watch): Unit = {
+  def drawPass(
+      target: ReferenceFrame,
+      pass: FramePass,
+      memory: Array[Int],
+      first: Int,
+      watch: Watch
+  ): Unit = {
     val rect = PixelRect.of(pass.region, target.config)
     target.clear(rect, Sampler.rgb565(pass.clearColor))
     for ((triangle, index) <- pass.triangles.zipWithIndex) {
       val corners = IndexedSeq(triangle.v0, triangle.v1, triangle.v2).map(pass.vertices)
       drawTriangle(
-        target, rect, first + index, ExactCoverage.of(corners), corners.map(ScreenVertex.of),
-        pass.states(triangle.state), memory, watch
+        target,
+        rect,
+        first + index,
+        ExactCoverage.of(corners),
+        corners.map(ScreenVertex.of),
+        pass.states(triangle.state),
+        memory,
+        watch
       )
     }
   }
 
-  /** Draws the frame from the vertices before they were quantised: nothing is snapped or rounded but the texels. */
+  /** Draws the frame from the vertices before they were quantised: nothing is snapped or rounded but the
+    * texels.
+    */
   def drawEndToEnd(frame: PreparedFrame, watch: Watch = ignore): ReferenceFrame = {
     val target = new ReferenceFrame(frame.config)
     val memory = texelMemory(frame.textures)
@@ -60,8 +79,14 @@ object ReferenceRaster {
   }
 
   private def drawTriangle(
-      target: ReferenceFrame, rect: PixelRect, index: Int, coverage: Coverage, corners: IndexedSeq[ScreenVertex],
-      state: RenderState, memory: Array[Int], watch: Watch
+      target: ReferenceFrame,
+      rect: PixelRect,
+      index: Int,
+      coverage: Coverage,
+      corners: IndexedSeq[ScreenVertex],
+      state: RenderState,
+      memory: Array[Int],
+      watch: Watch
   ): Unit = {
     val attributes = new TriangleAttributes(corners)
     coverage.foreach(rect) { (x, y) =>

@@ -21,7 +21,7 @@ object Sampler {
   def texel(memory: Array[Int], texture: TextureRef, s: Int, t: Int): Rgba = {
     val word = memory((texture.base * 64 + t * texture.width + s) % memory.length)
     texture.format match {
-      case TexelFormat.Rgb565 => rgb565(word)
+      case TexelFormat.Rgb565   => rgb565(word)
       case TexelFormat.Rgba4444 =>
         def nibble(shift: Int) = (word >> shift & 15) * 17.0
         Rgba(nibble(12), nibble(8), nibble(4), nibble(0))

@@ -1,0 +1,24 @@
+package frustum.boards.icebreaker
+
+import frustum.blackbox.Tech
+import frustum.boards.{BoardClock, BoardTop, Part}
+import frustum.spec.{Panel, RasterConfig}
+
+/** What is built for the iCEBreaker. */
+object IcebreakerTops {
+
+  /** A frequency the PLL can make of 12 MHz, see [[frustum.blackbox.Ice40PllSettings]]. */
+  private val coreMHz = BigDecimal(36)
+
+  /** What a host may clock the command port with. */
+  private val hostMHz = BigDecimal(48)
+
+  val raster: BoardTop = BoardTop(
+    name = "icebreaker-raster",
+    part = Part.Ice40Up5k,
+    constraints = "boards/icebreaker/raster.pcf",
+    core = BoardClock(IcebreakerClock.Net, coreMHz, "PLL on the 12 MHz oscillator"),
+    otherClocks = Seq(BoardClock("host_sck", hostMHz, "SCK of the host")),
+    component = () => RasterTop(RasterConfig(), Panel.Ili9341, coreMHz, Tech.Ice40)
+  )
+}

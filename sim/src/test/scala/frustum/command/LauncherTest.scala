@@ -1,0 +1,33 @@
+package frustum.command
+
+import org.scalatest.funsuite.AnyFunSuite
+import scala.sys.process._
+
+/** Which command lines ./sbt runs itself, and which it leaves to sbt. */
+class LauncherTest extends AnyFunSuite {
+  private def taken(words: String*): Boolean =
+    Seq("bash", "-c", ". project/command.sh; is_command \"$@\"", "bash").++(words).! == 0
+
+  test("a command line, or a command and its options, is run outside of sbt") {
+    for (
+      words <-
+        Seq(Seq("demo"), Seq("render --scene teapot"), Seq("render", "--obj", "a b.obj"), Seq("render --bad"))
+    )
+      assert(taken(words: _*), words)
+  }
+
+  test("anything else is sbt's") {
+    for (
+      words <- Seq(
+        Seq(),
+        Seq("test"),
+        Seq("sim/test"),
+        Seq("demo", "test"),
+        Seq("clean", "demo"),
+        Seq("renderer"),
+        Seq("--help")
+      )
+    )
+      assert(!taken(words: _*), words)
+  }
+}
