@@ -49,8 +49,8 @@ case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component 
   texture.io.up << divide.io.down
   waiting.io.push << attributes.translateWith(FragmentAttributes(config, attributes.payload))
 
-  // The memory shows a fragment after 2 clocks, long before its texel comes, so the texel alone says when to go on. A
-  // join that made the texel wait for valid would stop the bubbles of the divide.
+  // The memory shows a fragment after 2 clocks, long before its texel comes, so the texel alone says when to go
+  // on. A join that made the texel wait for valid would stop the bubbles of the divide.
   val texel = texture.io.down
   assert(!texel.valid || waiting.io.pop.valid, "a texel has overtaken its fragment")
   waiting.io.pop.ready := texel.fire
