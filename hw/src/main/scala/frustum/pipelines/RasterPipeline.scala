@@ -36,8 +36,7 @@ case class RasterPipeline(config: RasterConfig, slots: Int = 4, dropWhenFull: Bo
   val fragments  = FragmentPipeline(config, tech)
 
   link.io.bytes << io.bytes
-  link.io.store <> store.io.clients(0)
-  rasterizer.io.stores.zip(store.io.clients.tail).foreach { case (client, port) => client <> port }
+  (rasterizer.io.stores :+ link.io.store).zip(store.io.clients).foreach { case (client, port) => client <> port }
   link.io.texels >> fragments.io.texels
   // The resolver takes a tile's position when the tile is drawn; the rasterizer goes on to the next long before.
   rasterizer.io.tile.m2sPipe().m2sPipe() >> fragments.io.tile

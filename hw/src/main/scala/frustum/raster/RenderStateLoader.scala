@@ -34,7 +34,7 @@ case class RenderStateLoader(config: RasterConfig, slots: Int) extends Component
   asking.setWhen(io.store.cmd.fire)
   when(asking && io.store.rsp.valid) {
     asking := False
-    current.assignFromBits(io.store.rsp.payload)
+    current.assignFromBits(io.store.rsp.payload.rotateLeft(16)) // the store has the first word in the upper half
     index := io.up.state
     loaded := True
   }

@@ -6,7 +6,7 @@ package frustum.spec
   *     the first-named field in the most significant bits; `tag` is the frame number modulo 128
   *   - triangle i, 2 words at `triangles + 2 i`: {-:2, v0:10, v1:10, v2:10}, {state:4, -:8, x0:5, x1:5, y0:5, y1:5},
   *     the last four being its bounding box in tiles, clipped to the screen
-  *   - render state i, 1 word at `states + i`: {second word, first word} of RenderState.words
+  *   - render state i, 1 word at `states + i`: {first word, second word} of RenderState.words
   */
 final case class StoreLayout(config: RasterConfig) {
   val vertexWords: Int   = 5

@@ -19,7 +19,8 @@ object EngineSim {
 
   def spinalConfig: SpinalConfig = SpinalConfig(
     defaultConfigForClockDomains = ClockDomainConfig(resetKind = SYNC),
-    defaultClockDomainFrequency = FixedFrequency(36 MHz)
+    defaultClockDomainFrequency = FixedFrequency(36 MHz),
+    headerWithRepoHash = false // or every commit would have everything compiled anew
   )
 
   /** @param name must tell everything that the design depends on

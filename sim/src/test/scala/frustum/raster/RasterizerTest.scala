@@ -69,7 +69,7 @@ class RasterizerTest extends AnyFunSuite {
         layout.triangles + 2 * i + 1 -> word((t.state -> 4) +: (0 -> 8) +: box.map(_ -> 5): _*)
       )
     }
-    val states = for ((s, i) <- pass.states.zipWithIndex) yield layout.states + i -> word(s.words(1) -> 16, s.words(0) -> 16)
+    val states = for ((s, i) <- pass.states.zipWithIndex) yield layout.states + i -> word(s.words(0) -> 16, s.words(1) -> 16)
     (vertices ++ triangles.flatten ++ states).toMap
   }
 
