@@ -18,13 +18,13 @@ case class SetupResult() extends Bundle {
   *
   * Between runs (`idle`) the scratch memory belongs to `write` and `read`; data is on `readData` one clock after `read`.
   *
-  * @param slots triangles that the scratch memory holds, 64 words each
+  * @param slots triangles that the scratch memory holds, beside the words that all share
   */
 case class SetupEngine(slots: Int, tech: Tech) extends Component {
   import SetupInstruction._
 
   val sectionBits = log2Up(SetupProgram.sections.length)
-  val addressBits = log2Up(slots) + 6
+  val words = SetupWords.SharedWords + slots * SetupWords.SlotWords
   val io = new Bundle {
     val run      = slave Flow (UInt(sectionBits bits))
     val slot     = in UInt (log2Up(slots) bits)
@@ -73,12 +73,16 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   val wordB = word(6, 6 bits).asUInt
 
   // Clock 0 reads b, clock 1 a. An edge's walk starts at the side from which its function grows.
-  val scratch  = Mem(SInt(32 bits), slots * SetupWords.SlotWords)
-  scratch.init((0 until slots * SetupWords.SlotWords).map { n =>
-    S(SetupWords.constants.getOrElse(n % SetupWords.SlotWords, 0), 32 bits)
-  })
+  val scratch = Mem(SInt(32 bits), words)
+  scratch.init((0 until words).map(n => S(SetupWords.constants.getOrElse(n + SetupWords.Shared, 0), 32 bits)))
+  val bases = Vec((0 until slots).map(n => U(SetupWords.SharedWords + n * SetupWords.SlotWords, log2Up(words) bits)))
+  val slotBase = bases(io.slot)
+  def address(word: UInt): UInt = {
+    val shared = word >= SetupWords.Shared
+    (shared ? U((-SetupWords.Shared) & ((1 << log2Up(words)) - 1), log2Up(words) bits) | slotBase) + word
+  }
   val readWord = UInt(6 bits)
-  val data     = scratch.readSync(io.slot @@ readWord, readUnderWrite = dontCare)
+  val data     = scratch.readSync(address(readWord), readUnderWrite = dontCare)
   val atLeft   = wordA === SetupWords.Left
   val atTop    = wordA === SetupWords.Top
   readWord := io.read
@@ -135,7 +139,7 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   io.result.target := control(8).target
   io.result.value := value
   scratch.write(
-    io.slot @@ (done ? control(8).target | io.write.word),
+    address(done ? control(8).target | io.write.word),
     done ? value | io.write.data,
     enable = done ? toScratch | io.write.valid
   )

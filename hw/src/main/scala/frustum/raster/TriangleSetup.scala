@@ -21,11 +21,11 @@ case class TileJob(config: RasterConfig) extends Bundle {
   * A triangle met for the first time in a frame is fetched and set up whole. It then keeps its slot until another
   * triangle takes it, so that in further tiles only the edge functions and the planes' first values are worked out.
   *
-  * @param slots triangles kept, a power of two
+  * @param slots triangles kept
   */
 case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends Component {
   import SetupWords._
-  require(isPow2(slots) && slots >= 2 && slots <= 32, s"TriangleSetup: $slots slots; a power of two from 2 to 32")
+  require(slots >= 3 && slots <= 32, s"TriangleSetup: $slots slots; from 3 (two are drawn, one is set up) to 32")
   val layout = StoreLayout(config)
   val io = new Bundle {
     val flush = in Bool () // a new frame: the triangles kept are no more
@@ -44,7 +44,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   val fetch  = SetupFetch(layout)
   val writer = CoefficientWriter(slots)
   val job    = io.job.payload
-  val slot   = job.triangle.resize(log2Up(slots))
+  val slot   = Reg(UInt(log2Up(slots) bits)) init 0
   val parity = Reg(Bool())
   engine.io.slot := slot
   fetch.io.vertices := job.vertices
@@ -60,15 +60,21 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   writer.io.parity := parity
   io.write << writer.io.write
 
+  // The slots' triangles; the slot that was set up longest ago is taken next.
   val tags   = Vec.fill(slots)(Reg(UInt(10 bits)))
   val known  = Vec.fill(slots)(RegInit(False))
-  val cached = known(slot) && tags(slot) === job.triangle
+  val hits   = Vec(tags.zip(known).map { case (tag, valid) => valid && tag === job.triangle })
+  val cached = hits.orR
+  val next   = Reg(UInt(log2Up(slots) bits)) init 0
   when(io.flush) { known.foreach(_ := False) }
 
-  // The triangle that is being drawn. Its slot must not be set up anew meanwhile.
-  val token     = Stream(DrawToken(config, slots))
-  val drawn     = token.m2sPipe(holdPayload = true)
-  val slotDrawn = drawn.valid && !drawn.tileEnd && drawn.slot === slot
+  // The token being drawn and the one after it. Their slots must not be set up anew meanwhile.
+  val token   = Stream(DrawToken(config, slots))
+  val waiting = token.m2sPipe()
+  val drawn   = waiting.m2sPipe()
+  def holds(s: Stream[DrawToken]) = s.valid && !s.tileEnd
+  val nextUsed = Seq(waiting, drawn).map(s => holds(s) && s.slot === next).orR
+  val bothUsed = holds(waiting) && holds(drawn) // so are both entries for first values
   io.token << drawn
 
   import SetupProgram.{SectionArea, SectionAttributes, SectionEdges, SectionGradients, SectionRebase, SectionSteps}
@@ -156,9 +162,12 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
           token.valid := True
           io.job.ready := token.ready
         } elsewhen (cached) {
+          slot := OHToUInt(hits)
           state := State.ReadX
-        } elsewhen (!slotDrawn) {
-          known(slot) := False
+        } elsewhen (!nextUsed) {
+          slot := next
+          next := (next === slots - 1) ? U(0) | next + 1
+          known(next) := False
           fetch.io.start := True
           state := State.Fetch
         }
@@ -221,7 +230,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     is(State.Walk) { walker.io.start := True; seen := False; state := State.Look }
     is(State.Look) {
       engine.io.read := X0
-      when(seen) { state := State.WritePixelX } elsewhen (walker.io.up.valid) {
+      when(seen) { when(!bothUsed) { state := State.WritePixelX } } elsewhen (walker.io.up.valid) {
         // the end mark, without a span before it
         when(walker.io.up.end) { io.job.ready := True; state := State.Idle }
       }

@@ -4,9 +4,9 @@ import frustum.spec._
 import frustum.spec.SetupInstruction._
 import frustum.spec.SetupWords._
 
-/** Bit-exact triangle set-up: runs [[SetupProgram]] on one triangle's slot, without the hardware's timing. */
+/** Bit-exact triangle set-up: runs [[SetupProgram]] on one triangle, without the hardware's timing. */
 final class TriangleSetup {
-  private val word = new Array[Int](SlotWords)
+  private val word = new Array[Int](Shared + SharedWords)
   SetupWords.constants.foreach { case (at, value) => word(at) = value }
 
   private var accumulator = 0L
