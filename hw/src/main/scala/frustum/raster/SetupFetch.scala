@@ -15,37 +15,46 @@ case class ScratchWrite() extends Bundle {
 /** Brings a triangle's three vertices from the store into the set-up engine's scratch memory: vertex 0's fields and the
   * differences of the others', in the scales that [[frustum.spec.SetupProgram]] takes, one word a clock and three clocks
   * a store word. Begins with `start`, ends with a pulse on `done`.
+  *
+  * Its subtractor also serves others while it is idle: `write.data` is then the place of `pixel` less `readData`.
   */
 case class SetupFetch(layout: StoreLayout) extends Component {
   import SetupFetch._
   val io = new Bundle {
     val start    = in Bool ()
-    val vertices = in Vec (UInt(10 bits), 3)
+    val triangle = in UInt (10 bits)
     val bank     = in UInt (1 bits)
     val done     = out Bool ()
     val store    = master(StoreBus(layout))
     val write    = master Flow (ScratchWrite())
     val read     = out UInt (6 bits)
     val readData = in SInt (32 bits)
+    val pixel    = in UInt (10 bits) // column or row; its place is in 1/16 pixel
+    val upper    = in Bool () // the place times 2^16
     /** Instead of the data, 2^scaleShift is to be written. */
     val scale      = out Bool ()
     val scaleShift = out UInt (5 bits)
   }
 
-  object State extends SpinalEnum { val Idle, Exponents, Read, Wait, Write = newElement() }
+  object State extends SpinalEnum { val Idle, Vertices, Exponents, Read, Wait, Write = newElement() }
   val state  = RegInit(State.Idle)
   val vertex = Reg(UInt(2 bits))
   val step   = Reg(UInt(4 bits))
   def perStep[T <: Data](of: Step => T): T = Vec(steps.map(of))(step.resized)
   val lastVertex = vertex === 2
 
-  // Store reads: first the three exponents, then word after word of each vertex.
-  val index    = io.vertices(vertex).resize(layout.bankAddressBits)
+  // Store reads: the vertices' indices, the three exponents, then word after word of each vertex.
+  val vertices = Vec.fill(3)(Reg(UInt(10 bits)))
+  val index    = vertices(vertex.resized).resize(layout.bankAddressBits)
   val awaiting = RegInit(False) clearWhen io.store.rsp.valid
   val wanted   = (state === State.Exponents) ? U(ExponentWord, 3 bits) | perStep(s => U(s.word, 3 bits))
-  io.store.cmd.valid := (state === State.Exponents || state === State.Read) && !awaiting
+  io.store.cmd.valid := (state === State.Vertices || state === State.Exponents || state === State.Read) && !awaiting
   io.store.cmd.write := False
   io.store.cmd.address := io.bank @@ ((index |<< 2) + index + wanted)
+  when(state === State.Vertices) {
+    io.store.cmd.address := io.bank @@
+      (U(layout.triangles, layout.bankAddressBits bits) + (io.triangle << 1).resize(layout.bankAddressBits))
+  }
   io.store.cmd.data := 0
   awaiting.setWhen(io.store.cmd.fire)
   // A store word; the next field is always at its top.
@@ -58,7 +67,8 @@ case class SetupFetch(layout: StoreLayout) extends Component {
 
   val stepReadAhead = UInt(4 bits)
   stepReadAhead := (state === State.Write) ? (step + 1) | step
-  io.read := Vec(steps.map(s => U(s.origin.getOrElse(0), 6 bits)))(stepReadAhead.resized)
+  io.read := Nothing
+  when(vertex =/= 0) { io.read := Vec(steps.map(s => U(s.origin.getOrElse(Nothing), 6 bits)))(stepReadAhead.resized) }
 
   // The field, scaled, less vertex 0's.
   val centre = word(31 downto 16).asSInt - 8 // pixel centres become multiples of 16
@@ -74,11 +84,13 @@ case class SetupFetch(layout: StoreLayout) extends Component {
       case _              => word(24 downto 0).asSInt.resize(32) |<< 6
     }
   }
-  val relative   = perStep(s => Bool(s.origin.isDefined)) && vertex =/= 0
-  val difference = field - (relative ? io.readData | S(0, 32 bits))
-  io.write.valid := state === State.Write
+  val working    = state === State.Write
+  val minuend    = working ? field | (io.pixel << 4).intoSInt.resize(32)
+  val difference = minuend - io.readData
+  val raise      = working ? (perStep(s => Bool(s.upper)) && vertex =/= 0) | io.upper
+  io.write.valid := working
   io.write.word := Vec((0 to 2).map(v => perStep(s => U(s.targets(v), 6 bits))))(vertex.resized)
-  io.write.data := (relative && perStep(s => Bool(s.upper))) ? (difference |<< 16) | difference
+  io.write.data := raise ? (difference |<< 16) | difference
 
   io.done := False
   switch(state) {
@@ -86,7 +98,13 @@ case class SetupFetch(layout: StoreLayout) extends Component {
       vertex := 0
       step := 0
       largest := 0
-      when(io.start) { state := State.Exponents }
+      when(io.start) { state := State.Vertices }
+    }
+    is(State.Vertices) {
+      when(io.store.rsp.valid) {
+        for (v <- 0 to 2) vertices(v) := io.store.rsp.payload(20 - 10 * v, 10 bits).asUInt
+        state := State.Exponents
+      }
     }
     is(State.Exponents) {
       when(io.store.rsp.valid) {

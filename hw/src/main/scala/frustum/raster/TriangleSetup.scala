@@ -2,7 +2,7 @@ package frustum.raster
 
 import frustum.blackbox.Tech
 import frustum.link.StoreBus
-import frustum.spec.{Domain, RasterConfig, SetupInstruction, SetupProgram, SetupWords, StoreLayout}
+import frustum.spec.{RasterConfig, SetupInstruction, SetupProgram, SetupWords, StoreLayout}
 import spinal.core._
 import spinal.lib._
 
@@ -13,7 +13,6 @@ case class TileJob(config: RasterConfig) extends Bundle {
   val tileY    = UInt(5 bits)
   val triangle = UInt(10 bits)
   val state    = UInt(4 bits)
-  val vertices = Vec(UInt(10 bits), 3)
 }
 
 /** Sets triangles up for the tiles they touch, one ahead of the interpolator.
@@ -47,7 +46,8 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   val slot   = Reg(UInt(log2Up(slots) bits)) init 0
   val parity = Reg(Bool())
   engine.io.slot := slot
-  fetch.io.vertices := job.vertices
+  fetch.io.triangle := job.triangle
+  fetch.io.upper := False
   fetch.io.bank := io.bank
   fetch.io.store <> io.store
   fetch.io.readData := engine.io.readData
@@ -112,9 +112,13 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     engine.io.write.data := data
   }
 
-  // The area, shifted left until bit 29 is set.
-  val area = Reg(SInt(32 bits))
-  when(engine.io.result.valid && engine.io.result.target === SetupWords.Area) { area := engine.io.result.value }
+  // The area, to be shifted left until bit 29 is set.
+  val area     = Reg(UInt(30 bits))
+  val backward = Reg(Bool()) // the triangle faces away
+  when(engine.io.result.valid && engine.io.result.target === SetupWords.Area) {
+    area := engine.io.result.value.asUInt.resized
+    backward := engine.io.result.value.msb
+  }
 
   // The tile's last column and row on the screen.
   private def lastIn(tile: UInt, log2: Int, size: Int) =
@@ -129,7 +133,8 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   def inTileX(x: UInt) = (job.tileX @@ x).resize(10)
   def inTileY(y: UInt) = (job.tileY @@ y).resize(10)
   pixel := inTileX(U(0, config.tileLog2Width bits))
-  val position = ((pixel << 4).intoSInt.resize(17) - engine.io.readData.resize(17)).resize(32)
+  fetch.io.pixel := pixel
+  val position = fetch.io.write.data
 
   object State extends SpinalEnum {
     val Idle, Fetch, Area, Facing, Normalise, WriteArea, WriteShift, WriteShift4, Check, ReadX,
@@ -177,24 +182,20 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     is(State.Area) { run(SectionArea, State.Facing) }
     is(State.Facing) {
       state := State.Normalise
-      when(area < Domain.MinArea) { area := Domain.MinArea }
-      when(area <= 0) {
+      when(backward || area === 0) {
         io.job.ready := True
         state := State.Idle
       }
     }
     is(State.Normalise) {
-      when(area(29)) {
+      when(area.msb || shift === MaxShift) {
         state := State.WriteArea
-      } elsewhen (area(29 downto 26) === 0) {
-        area := area |<< 4
-        shift := shift + 4
       } otherwise {
         area := area |<< 1
         shift := shift + 1
       }
     }
-    is(State.WriteArea) { write(AreaNormal, area | 1); state := State.WriteShift }
+    is(State.WriteArea) { write(AreaNormal, (area | (1 << 29) | 1).intoSInt.resize(32)); state := State.WriteShift }
     is(State.WriteShift) { write(Shift, oneHot); state := State.WriteShift4 }
     is(State.WriteShift4) {
       oneHotAmount := sliver ? (shift - 10) | (shift + 4)
@@ -238,12 +239,14 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     is(State.WritePixelX) {
       engine.io.read := Y0
       pixel := inTileX(firstX)
-      write(PixelX_16, position |<< 16)
+      fetch.io.upper := True
+      write(PixelX_16, position)
       state := State.WritePixelY
     }
     is(State.WritePixelY) {
       pixel := inTileY(firstY)
-      write(PixelY_16, position |<< 16)
+      fetch.io.upper := True
+      write(PixelY_16, position)
       run(SectionRebase, State.Hand)
     }
     is(State.Hand) {

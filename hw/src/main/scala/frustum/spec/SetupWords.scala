@@ -5,9 +5,9 @@ package frustum.spec
   */
 object SetupWords {
   val SlotWords = 38
-  val SharedWords = 24
+  val SharedWords = 25
   /** First shared word. */
-  val Shared = 40
+  val Shared = 39
   val Planes    = 8
 
   // The slot, kept while the triangle is cached. Positions in 1/16 pixel relative to the centre of pixel (0, 0);
@@ -36,7 +36,8 @@ object SetupWords {
   def q(v: Int): Int    = 46 + v
   /** 2^(30 - (largest exponent - exponent)). */
   def scale(v: Int): Int = 49 + v
-  /** The area shifted to 2^29..2^30, plus one so that its reciprocal stays below 2. */
+  /** The area shifted to 2^29..2^30, or by [[MaxShift]], with bit 29 set; plus one, so that its reciprocal stays below 2. */
+  val MaxShift = 25
   val AreaNormal = 52
   /** 2^shift and 2^(shift + 4) (14 less for a sliver), shift being that of the area. */
   val Shift = 53; val Shift4 = 54
@@ -53,6 +54,7 @@ object SetupWords {
   val Normal1 = 54; val Normal2 = 55
 
   // Shared: constants.
+  val Nothing = 39
   /** 1 with 30 fractional bits. */
   val One = 60
   /** 1 with 16 fractional bits: adds a plain integer to the accumulator. */
