@@ -30,7 +30,7 @@ case class Interlock(config: RasterConfig) extends Component {
   val wait1    = RegInit(False)
   val wait2    = RegInit(False)
   val resolves = RegInit(False) // a tile has ended and is not resolved yet
-  held.ready := !wait1 && !wait2 && !io.clear.all && !(resolves && held.tileEnd)
+  held.ready := !wait1 && !wait2 && !io.clear.all && !(resolves && held.valid && held.tileEnd)
 
   val before   = RegNext(held.fire) init False
   val atBefore = RegNext(place(held.payload))

@@ -18,7 +18,10 @@ final class PipelineEngine(options: EngineOptions, byteStall: Double = 0, pixelS
       val drawn = frames.map { frame =>
         val image  = new Array[Int](config.width * config.height)
         val passes = frame.passes.map(session.take(_, image))
-        RenderedFrame(image, clocks = Some(passes.map(_.clocks).sum), busBytes = Some(PipelineEngine.busBytes(frame)))
+        RenderedFrame(
+          image, clocks = Some(passes.map(_.clocks).sum), busBytes = Some(PipelineEngine.busBytes(frame)),
+          setUps = Some(passes.map(_.setUps.toLong).sum), moves = Some(passes.map(_.moves.toLong).sum)
+        )
       }
       if (session.faulty) throw new IllegalStateException(s"the link refused what the driver sent: ${session.status}")
       drawn
