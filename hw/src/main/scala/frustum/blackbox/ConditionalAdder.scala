@@ -2,19 +2,20 @@ package frustum.blackbox
 
 import spinal.core._
 
-/** `condition ? a + b : a`, no carry out: a row of a shift-and-add multiplier. On iCE40 one logic cell a bit, because
-  * the cell's fourth input, which synthesis leaves unused beside a carry, chooses between sum and `a`.
+/** `condition ? a + b : a`, no carry out: a row of a shift-and-add multiplier. On iCE40 one logic cell a bit,
+  * because the cell's fourth input, which synthesis leaves unused beside a carry, chooses between sum and
+  * `a`.
   */
 case class ConditionalAdder(width: Int, tech: Tech) extends Component {
   val io = new Bundle {
     val condition = in Bool ()
-    val a, b      = in UInt (width bits)
-    val result    = out UInt (width bits)
+    val a, b = in UInt (width bits)
+    val result = out UInt (width bits)
   }
 
   tech match {
     case Tech.Generic => io.result := Mux(io.condition, io.a + io.b, io.a)
-    case Tech.Ice40 =>
+    case Tech.Ice40   =>
       var carry: Bool = False
       val bits = for (i <- 0 until width) yield {
         val cell = LogicCell.sumOrFirst
@@ -41,7 +42,7 @@ case class LogicCell(init: Int) extends BlackBox {
   addGeneric("LUT_INIT", B(init, 16 bits))
   val io = new Bundle {
     val I0, I1, I2, I3 = in Bool ()
-    val O              = out Bool ()
+    val O = out Bool ()
   }
   noIoPrefix()
 }
@@ -60,7 +61,7 @@ case class CarryCell() extends BlackBox {
   setDefinitionName("SB_CARRY")
   val io = new Bundle {
     val I0, I1, CI = in Bool ()
-    val CO         = out Bool ()
+    val CO = out Bool ()
   }
   noIoPrefix()
 }

@@ -2,17 +2,19 @@ package frustum.blackbox
 
 import spinal.core._
 
-/** SB_MAC16 of the iCE40 UltraPlus (Lattice TN1295) as a 16 x 16 multiplier with input and output registers, so that
-  * all its timing lies at registers: result two clocks after the operands, both stages held while CE is low.
+/** SB_MAC16 of the iCE40 UltraPlus (Lattice TN1295) as a 16 x 16 multiplier with input and output registers,
+  * so that all its timing lies at registers: result two clocks after the operands, both stages held while CE
+  * is low.
   *
-  * @param add O = A * B + {C, D} by the block's adders, otherwise O = A * B and C, D are not used
+  * @param add
+  *   O = A * B + {C, D} by the block's adders, otherwise O = A * B and C, D are not used
   */
 case class Mac16(signedA: Boolean, signedB: Boolean, add: Boolean) extends BlackBox {
   setDefinitionName("SB_MAC16")
   private def bit(on: Boolean) = B(if (on) 1 else 0, 1 bits)
-  private def output  = B(if (add) 1 else 3, 2 bits) // the adder's register, or the product's
+  private def output = B(if (add) 1 else 3, 2 bits) // the adder's register, or the product's
   private def product = B(if (add) 2 else 0, 2 bits) // the 16 x 16 product as the adder's operand
-  private def carry   = B(if (add) 2 else 0, 2 bits) // the lower adder's carry into the upper
+  private def carry = B(if (add) 2 else 0, 2 bits) // the lower adder's carry into the upper
   addGeneric("NEG_TRIGGER", bit(false))
   addGeneric("A_REG", bit(true))
   addGeneric("B_REG", bit(true))

@@ -3,17 +3,21 @@ package frustum.fixed
 import frustum.blackbox.{Mac16, Tech}
 import spinal.core._
 
-/** 16 x 16 -> 32 bit product, exact, latency two clocks of `enable`: operands are registered, then the product.
-  * While `enable` is low both stages hold, so it stalls with a pipeline. On iCE40 it is one SB_MAC16.
+/** 16 x 16 -> 32 bit product, exact, latency two clocks of `enable`: operands are registered, then the
+  * product. While `enable` is low both stages hold, so it stalls with a pipeline. On iCE40 it is one
+  * SB_MAC16.
   *
-  * @param signedA,signedB whether that operand is two's complement; the product is, if either operand is
-  * @param add             the product is a * b + addend modulo 2^32 instead, the addend given with the operands
+  * @param signedA,signedB
+  *   whether that operand is two's complement; the product is, if either operand is
+  * @param add
+  *   the product is a * b + addend modulo 2^32 instead, the addend given with the operands
   */
-case class Multiplier16(tech: Tech, signedA: Boolean, signedB: Boolean, add: Boolean = false) extends Component {
+case class Multiplier16(tech: Tech, signedA: Boolean, signedB: Boolean, add: Boolean = false)
+    extends Component {
   val io = new Bundle {
-    val enable  = in Bool ()
-    val a, b    = in Bits (16 bits)
-    val addend  = add generate in(Bits(32 bits))
+    val enable = in Bool ()
+    val a, b = in Bits (16 bits)
+    val addend = add generate in(Bits(32 bits))
     val product = out Bits (32 bits)
   }
 
@@ -21,22 +25,36 @@ case class Multiplier16(tech: Tech, signedA: Boolean, signedB: Boolean, add: Boo
     case Tech.Ice40 =>
       val mac = Mac16(signedA, signedB, add)
       mac.io.CE := io.enable
-      mac.io.A  := io.a
-      mac.io.B  := io.b
-      mac.io.C  := (if (add) io.addend(31 downto 16) else B(0, 16 bits))
-      mac.io.D  := (if (add) io.addend(15 downto 0) else B(0, 16 bits))
+      mac.io.A := io.a
+      mac.io.B := io.b
+      mac.io.C := (if (add) io.addend(31 downto 16) else B(0, 16 bits))
+      mac.io.D := (if (add) io.addend(15 downto 0) else B(0, 16 bits))
       Seq(
-        mac.io.AHOLD, mac.io.BHOLD, mac.io.CHOLD, mac.io.DHOLD, mac.io.IRSTTOP, mac.io.IRSTBOT, mac.io.ORSTTOP,
-        mac.io.ORSTBOT, mac.io.OLOADTOP, mac.io.OLOADBOT, mac.io.ADDSUBTOP, mac.io.ADDSUBBOT, mac.io.OHOLDTOP,
-        mac.io.OHOLDBOT, mac.io.CI, mac.io.ACCUMCI, mac.io.SIGNEXTIN
+        mac.io.AHOLD,
+        mac.io.BHOLD,
+        mac.io.CHOLD,
+        mac.io.DHOLD,
+        mac.io.IRSTTOP,
+        mac.io.IRSTBOT,
+        mac.io.ORSTTOP,
+        mac.io.ORSTBOT,
+        mac.io.OLOADTOP,
+        mac.io.OLOADBOT,
+        mac.io.ADDSUBTOP,
+        mac.io.ADDSUBBOT,
+        mac.io.OHOLDTOP,
+        mac.io.OHOLDBOT,
+        mac.io.CI,
+        mac.io.ACCUMCI,
+        mac.io.SIGNEXTIN
       ).foreach(_ := False)
       io.product := mac.io.O
     case Tech.Generic =>
       def extended(v: Bits, signed: Boolean) = if (signed) v.asSInt.resize(17) else v.asUInt.resize(17).asSInt
-      val a       = RegNextWhen(io.a, io.enable)
-      val b       = RegNextWhen(io.b, io.enable)
+      val a = RegNextWhen(io.a, io.enable)
+      val b = RegNextWhen(io.b, io.enable)
       val product = (extended(a, signedA) * extended(b, signedB)).resize(32)
-      val sum     = if (add) product + RegNextWhen(io.addend, io.enable).asSInt else product
+      val sum = if (add) product + RegNextWhen(io.addend, io.enable).asSInt else product
       io.product := RegNextWhen(sum.asBits, io.enable)
   }
 }

@@ -8,80 +8,85 @@ import frustum.texture.Texel
 import spinal.core._
 import spinal.lib._
 
-/** Colour of the fragment from texel and vertex colour: OpenGL's texture environments; one a clock, latency 2 clocks.
+/** Colour of the fragment from texel and vertex colour: OpenGL's texture environments; one a clock, latency 2
+  * clocks.
   *
-  * One product per channel serves all modes: (t * (c + c[7]) + 128) >> 8 with t the texel's 5 or 6 bits and c the
-  * vertex's 8. It is exact at c = 0 and c = 255; Replace puts 255 for c, ColorOnly puts all ones for t, which rounds c to
-  * the frame buffer's bits. An RGB565 texel has no alpha: the vertex's is kept.
+  * One product per channel serves all modes: (t * (c + c[7]) + 128) >> 8 with t the texel's 5 or 6 bits and c
+  * the vertex's 8. It is exact at c = 0 and c = 255; Replace puts 255 for c, ColorOnly puts all ones for t,
+  * which rounds c to the frame buffer's bits. An RGB565 texel has no alpha: the vertex's is kept.
   */
 case class Combine(config: RasterConfig, tech: Tech) extends Component {
   val io = new Bundle {
-    val up    = slave(Stream(TexturedFragment(config)))
+    val up = slave(Stream(TexturedFragment(config)))
     val state = in(RenderStateWord())
-    val down  = master(Stream(ColoredFragment(config)))
-    val busy  = out Bool ()
+    val down = master(Stream(ColoredFragment(config)))
+    val busy = out Bool ()
   }
 
   case class Operands() extends Bundle {
-    val x          = UInt(config.tileLog2Width bits)
-    val y          = UInt(config.tileLog2Height bits)
-    val z          = UInt(16 bits)
-    val texel      = Texel()
+    val x = UInt(config.tileLog2Width bits)
+    val y = UInt(config.tileLog2Height bits)
+    val z = UInt(16 bits)
+    val texel = Texel()
     val r, g, b, a = UInt(9 bits) // factors, 0..256
-    val tileEnd    = Bool()
+    val tileEnd = Bool()
   }
 
   val colorOnly = io.state.combine === spec.Combine.ColorOnly.code
-  val replace   = io.state.combine === spec.Combine.Replace.code
+  val replace = io.state.combine === spec.Combine.Replace.code
 
-  val operands = io.up.translateWith {
-    val next = Operands()
-    val from = io.up.payload
-    next.x       := from.attributes.x
-    next.y       := from.attributes.y
-    next.z       := from.attributes.z
-    next.tileEnd := from.attributes.tileEnd
-    next.texel.assignFromBits(from.texel.asBits | colorOnly #* widthOf(from.texel))
-    def factor(c: UInt, one: Bool): UInt = (c | (one #* 8).asUInt) +^ (c.msb || one).asUInt
-    next.r := factor(from.attributes.r, replace)
-    next.g := factor(from.attributes.g, replace)
-    next.b := factor(from.attributes.b, replace)
-    next.a := factor(from.attributes.a, replace && io.state.rgba4444)
-    next
-  }.m2sPipe(collapsBubble = false)
+  val operands = io.up
+    .translateWith {
+      val next = Operands()
+      val from = io.up.payload
+      next.x := from.attributes.x
+      next.y := from.attributes.y
+      next.z := from.attributes.z
+      next.tileEnd := from.attributes.tileEnd
+      next.texel.assignFromBits(from.texel.asBits | colorOnly #* widthOf(from.texel))
+      def factor(c: UInt, one: Bool): UInt = (c | (one #* 8).asUInt) +^ (c.msb || one).asUInt
+      next.r := factor(from.attributes.r, replace)
+      next.g := factor(from.attributes.g, replace)
+      next.b := factor(from.attributes.b, replace)
+      next.a := factor(from.attributes.a, replace && io.state.rgba4444)
+      next
+    }
+    .m2sPipe(collapsBubble = false)
 
-  val combined = operands.translateWith {
-    val next = ColoredFragment(config)
-    val from = operands.payload
-    next.x       := from.x
-    next.y       := from.y
-    next.z       := from.z
-    next.r       := product(from.texel.r, from.r)
-    next.g       := product(from.texel.g, from.g)
-    next.b       := product(from.texel.b, from.b)
-    next.a       := product(from.texel.a, from.a)
-    next.tileEnd := from.tileEnd
-    next
-  }.m2sPipe(collapsBubble = false)
+  val combined = operands
+    .translateWith {
+      val next = ColoredFragment(config)
+      val from = operands.payload
+      next.x := from.x
+      next.y := from.y
+      next.z := from.z
+      next.r := product(from.texel.r, from.r)
+      next.g := product(from.texel.g, from.g)
+      next.b := product(from.texel.b, from.b)
+      next.a := product(from.texel.a, from.a)
+      next.tileEnd := from.tileEnd
+      next
+    }
+    .m2sPipe(collapsBubble = false)
 
-  /** (t * factor + 128) >> 8, t by its lower three bits and its upper ones side by side, a row of additions for each
-    * bit from the lowest; since factor is 256 at most and every sum is halved, none exceeds 511.
+  /** (t * factor + 128) >> 8, t by its lower three bits and its upper ones side by side, a row of additions
+    * for each bit from the lowest; since factor is 256 at most and every sum is halved, none exceeds 511.
     */
   def product(t: UInt, factor: UInt): UInt = {
     def rows(bits: Seq[Bool], start: Int): (UInt, Seq[Bool]) = {
-      var sum     = U(start, 9 bits)
+      var sum = U(start, 9 bits)
       var dropped = Seq.empty[Bool]
       for (bit <- bits) {
         val row = ConditionalAdder(9, tech)
         row.io.condition := bit
-        row.io.a         := sum
-        row.io.b         := factor
+        row.io.a := sum
+        row.io.b := factor
         dropped = dropped :+ row.io.result.lsb
         sum = row.io.result |>> 1
       }
       (sum, dropped)
     }
-    val (lower, _)        = rows(t.asBools.take(3).toSeq, 128)
+    val (lower, _) = rows(t.asBools.take(3).toSeq, 128)
     val (upper, fraction) = rows(t.asBools.drop(3).toSeq, 0)
     val exact = upper ## Cat(fraction) // in units of 2^3, as lower
     (exact.asUInt + lower).drop(5).asUInt.resize(widthOf(t))

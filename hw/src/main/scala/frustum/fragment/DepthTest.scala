@@ -6,45 +6,46 @@ import frustum.spec.RasterConfig
 import spinal.core._
 import spinal.lib._
 
-/** Depth test against a 16-bit depth buffer of one tile, in two banks that change at a tile's end mark; one fragment a
-  * clock, latency 1 clock, never stalls.
+/** Depth test against a 16-bit depth buffer of one tile, in two banks that change at a tile's end mark; one
+  * fragment a clock, latency 1 clock, never stalls.
   *
-  * A fragment reads its word when it enters and writes it a clock later: [[Interlock]] keeps fragments of one pixel apart.
+  * A fragment reads its word when it enters and writes it a clock later: [[Interlock]] keeps fragments of one
+  * pixel apart.
   */
 case class DepthTest(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val up    = slave(Flow(ColoredFragment(config)))
+    val up = slave(Flow(ColoredFragment(config)))
     val state = in(RenderStateWord())
     val clear = slave(TileClear(config))
-    val down  = master(Flow(PixelWrite(config)))
-    val busy  = out Bool ()
+    val down = master(Flow(PixelWrite(config)))
+    val busy = out Bool ()
   }
 
-  val bank   = RegInit(U(0, 1 bits))
+  val bank = RegInit(U(0, 1 bits))
   when(io.up.valid && io.up.tileEnd) { bank := ~bank }
   val memory = TileMemory(config, 16, resolved = false)
-  memory.io.clear       <> io.clear
-  memory.io.clearValue  := 0xffff
-  memory.io.readEnable  := True
-  memory.io.readBank    := bank
+  memory.io.clear <> io.clear
+  memory.io.clearValue := 0xffff
+  memory.io.readEnable := True
+  memory.io.readBank := bank
   memory.io.readAddress := io.up.address
 
-  val stored     = io.up.m2sPipe
+  val stored = io.up.m2sPipe
   val storedBank = RegNext(bank)
-  val depth      = memory.io.readData.asUInt
-  val passing    = io.state.depthFunction
+  val depth = memory.io.readData.asUInt
+  val passing = io.state.depthFunction
   // Two subtractions: synthesis makes a comparison for equality of many levels of logic.
-  val nearer  = (stored.z -^ depth).msb
+  val nearer = (stored.z -^ depth).msb
   val farther = (depth -^ stored.z).msb
-  val pass    = Mux(nearer, passing(0), Mux(farther, passing(2), passing(1)))
-  memory.io.writeEnable  := stored.valid && !stored.tileEnd && pass && io.state.depthWrite
-  memory.io.writeBank    := storedBank
+  val pass = Mux(nearer, passing(0), Mux(farther, passing(2), passing(1)))
+  memory.io.writeEnable := stored.valid && !stored.tileEnd && pass && io.state.depthWrite
+  memory.io.writeBank := storedBank
   memory.io.writeAddress := stored.address
-  memory.io.writeData    := stored.z.asBits
+  memory.io.writeData := stored.z.asBits
 
   io.down.valid := stored.valid && (stored.tileEnd || pass)
   io.down.payload.assignSomeByName(stored.payload.asInstanceOf[Bundle])
   io.down.address := stored.address
-  io.down.bank    := storedBank
-  io.busy         := stored.valid
+  io.down.bank := storedBank
+  io.busy := stored.valid
 }

@@ -6,36 +6,37 @@ import frustum.spec.RasterConfig
 import spinal.core._
 import spinal.lib._
 
-/** Lets a fragment through to the tests and the tile memories only when they can take it without ever stalling; latency
-  * 1 clock, one a clock where no two meet.
+/** Lets a fragment through to the tests and the tile memories only when they can take it without ever
+  * stalling; latency 1 clock, one a clock where no two meet.
   *
-  *   - Same pixel: depth is written one clock after it is read and colour two clocks after, so a fragment follows another
-  *     on its pixel by 2 clocks at least, or by 3 when colour is blended. Only the lower bits of the place are compared:
-  *     a stranger may wait in vain, but neighbours never do.
-  *   - End of a tile: waits until the tile before has been resolved, so that the bank which is drawn to next is clear.
+  *   - Same pixel: depth is written one clock after it is read and colour two clocks after, so a fragment
+  *     follows another on its pixel by 2 clocks at least, or by 3 when colour is blended. Only the lower bits
+  *     of the place are compared: a stranger may wait in vain, but neighbours never do.
+  *   - End of a tile: waits until the tile before has been resolved, so that the bank which is drawn to next
+  *     is clear.
   *
   * What to wait for is found when a fragment enters, so that ready hangs on registers alone.
   */
 case class Interlock(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val up    = slave(Stream(ColoredFragment(config)))
+    val up = slave(Stream(ColoredFragment(config)))
     val state = in(RenderStateWord())
     val clear = slave(TileClear(config))
-    val down  = master(Flow(ColoredFragment(config)))
-    val busy  = out Bool ()
+    val down = master(Flow(ColoredFragment(config)))
+    val busy = out Bool ()
   }
   private def place(f: ColoredFragment): Bits = f.y.take(2) ## f.x.take(3)
 
-  val held     = io.up.m2sPipe(collapsBubble = false)
-  val wait1    = RegInit(False)
-  val wait2    = RegInit(False)
+  val held = io.up.m2sPipe(collapsBubble = false)
+  val wait1 = RegInit(False)
+  val wait2 = RegInit(False)
   val resolves = RegInit(False) // a tile has ended and is not resolved yet
   held.ready := !wait1 && !wait2 && !io.clear.all && !(resolves && held.valid && held.tileEnd)
 
-  val before   = RegNext(held.fire) init False
+  val before = RegNext(held.fire) init False
   val atBefore = RegNext(place(held.payload))
-  val meets1   = held.valid && place(io.up.payload) === place(held.payload)
-  val meets2   = before && place(io.up.payload) === atBefore
+  val meets1 = held.valid && place(io.up.payload) === place(held.payload)
+  val meets2 = before && place(io.up.payload) === atBefore
   wait2 := held.ready && io.up.valid && meets1 && io.state.blend
   wait1 := wait2 || held.ready && io.up.valid && Mux(io.state.blend, meets2, meets1)
 

@@ -4,25 +4,26 @@ import frustum.spec.RasterConfig
 import spinal.core._
 import spinal.lib._
 
-/** Memory of one tile in two banks: one is drawn to (a read and a write a clock), the other resolved and cleared.
-  * Read data comes one clock after `readEnable` and holds. Reading a word in the clock it is written is undefined: those
-  * who draw keep away from it.
+/** Memory of one tile in two banks: one is drawn to (a read and a write a clock), the other resolved and
+  * cleared. Read data comes one clock after `readEnable` and holds. Reading a word in the clock it is written
+  * is undefined: those who draw keep away from it.
   *
-  * @param resolved whether the resolver reads it; otherwise it is only cleared
+  * @param resolved
+  *   whether the resolver reads it; otherwise it is only cleared
   */
 case class TileMemory(config: RasterConfig, width: Int, resolved: Boolean) extends Component {
   val addressBits = config.tileLog2Width + config.tileLog2Height
   val io = new Bundle {
-    val readEnable   = in Bool ()
-    val readBank     = in UInt (1 bits)
-    val readAddress  = in UInt (addressBits bits)
-    val readData     = out Bits (width bits)
-    val writeEnable  = in Bool ()
-    val writeBank    = in UInt (1 bits)
+    val readEnable = in Bool ()
+    val readBank = in UInt (1 bits)
+    val readAddress = in UInt (addressBits bits)
+    val readData = out Bits (width bits)
+    val writeEnable = in Bool ()
+    val writeBank = in UInt (1 bits)
     val writeAddress = in UInt (addressBits bits)
-    val writeData    = in Bits (width bits)
-    val clear        = slave(TileClear(config))
-    val clearValue   = in Bits (width bits)
+    val writeData = in Bits (width bits)
+    val clear = slave(TileClear(config))
+    val clearValue = in Bits (width bits)
     val resolvedData = resolved generate out(Bits(width bits))
   }
 

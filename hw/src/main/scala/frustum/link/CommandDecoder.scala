@@ -8,11 +8,6 @@ import frustum.spec.StoreLayout
 import spinal.core._
 import spinal.lib._
 
-/** What the decoder did, one-clock pulses; what they mean is told in [[LinkStatus]]. */
-case class DecoderEvents() extends Bundle {
-  val accepted, refused, vertexRefused, triangleRefused, incomplete = Bool()
-}
-
 /** Executes checked commands, see [[frustum.spec.Command]], one at a time and a word a clock at most.
   *
   *   - `words`: as [[Framer]] delivers them: `opcode << 8 | length`, then the payload. Opcodes and lengths are not
@@ -21,8 +16,7 @@ case class DecoderEvents() extends Bundle {
   *     job's bank is free again. `begin` waits for a free bank, `texels` until every job is done.
   *   - a refused command changes nothing, but for texels that run beyond the memory, of which those within it are
   *     written, and for `begin`, which ends the frame begun before it in any case
-  *   - a refused vertex leaves its slot with a tag of another frame, its position untouched, so whatever lies in the
-  *     store is within the accepted range
+  *   - a refused vertex leaves its slot with a tag of another frame; a position out of range is not stored
   *   - a triangle costs about 35 clocks, a vertex 16
   */
 case class CommandDecoder(config: RasterConfig) extends Component {
@@ -43,34 +37,69 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   val left    = Reg(UInt(7 bits)) // payload words still to come
   val refused = Reg(Bool())
   val data    = Reg(Bits(32 bits)) // the last two words
+  val word    = io.words.payload
   def is_(command: Command): Bool = opcode === command.opcode
 
-  // The frame being filled.
-  val open         = RegInit(False)
-  val bank         = RegInit(False)
-  val tag          = Reg(Bits(7 bits))
-  val clearColor   = Reg(Bits(16 bits))
-  val region       = Reg(Vec.fill(4)(UInt(5 bits))) // y1, y0, x1, x0
-  val vertices     = Reg(UInt(CommandDecoder.CountBits bits)) // that arrived
-  val triangles    = Reg(UInt(CommandDecoder.CountBits bits)) // that arrived
-  val stored       = Reg(UInt(11 bits)) // triangles in the bank
-  val triangleState = Reg(Bits(4 bits))
-
-  // Jobs not yet done: at most two, as many as there are banks.
-  val jobs = RegInit(U(0, 2 bits))
-  io.drawing := jobs =/= 0
-  jobs := jobs + U(io.job.fire) - U(io.jobDone)
-
-  val take = False // the word in hand is payload and is used up
-  val word = io.words.payload
-  io.words.ready := take || state === header
+  val take   = False // the word in hand is payload and is used up
   val took   = take && io.words.valid
   val rotate = False // the next corner's index moves down
+  io.words.ready := take || state === header
   when(took)(left := left - 1)
   when(took || rotate) {
     data := Mux(rotate, data(31 downto 30) ## data(9 downto 0) ## data(29 downto 10), data(15 downto 0) ## word)
   }
-  def after(next: SpinalEnumElement[DecoderState.type]): Unit = { take := True; when(io.words.valid)(state := next) }
+
+  // Jobs not yet done: at most two, as many as there are banks.
+  val jobs = RegInit(U(0, 2 bits))
+  io.drawing := jobs =/= 0
+  jobs       := jobs + U(io.job.fire) - U(io.jobDone)
+
+  // Address of a vertex's word or a texel; counts up as words are written.
+  val address      = Reg(UInt(16 bits))
+  val count        = False
+  val frameHeader  = new FrameHeader(config, word)
+  val triangle     = new TriangleAssembly(config, frameHeader.tag, address, io.store.rsp.payload, state === response)
+  val vertexOffset = triangle.tagRead ## triangle.tagRead // 0, or 3: the word that holds the tag
+  val vertexWord   = ((data(9 downto 0) ## vertexOffset).asUInt +^ data(9 downto 0).asUInt).resize(16)
+  when(count || state === loadVertex || state === load || state === loadTexel) {
+    val texelBlock = (data(10 downto 0) << 4).asUInt.resize(16)
+    address := Mux(count, address + 1, Mux(is_(Command.Texels), texelBlock, vertexWord))
+  }
+
+  val vertices = Reg(UInt(CommandDecoder.CountBits bits)) // arrived since begin
+  val beyond   = Reg(Bool()) // the vertex index is
+  val pair     = Reg(UInt(3 bits)) // of the vertex's words
+  val check    = VertexCheck()
+  check.io.clear        := False
+  check.io.word.valid   := took && is_(Command.Vertices) && (state === fetchFirst || state === fetchSecond)
+  check.io.word.payload := word
+  check.io.pair         := pair
+  check.io.second       := state === fetchSecond
+
+  val placeBits = layout.bankAddressBits
+  val place     = UInt(placeBits bits)
+  val half      = state === writeBox // of a triangle's two words
+  place := address.resized
+  when(state === writeIndices || half)(place := layout.triangles + (triangle.stored ## half).asUInt.resize(placeBits))
+  when(state === writeState)(place := layout.states + triangle.renderState.asUInt.resize(placeBits))
+  io.store.cmd.valid   := False
+  io.store.cmd.write   := state =/= read
+  io.store.cmd.address := frameHeader.bank.asUInt @@ place
+  io.store.cmd.data    := data
+  when(half)(io.store.cmd.data := triangle.renderState ## data(27 downto 20) ## triangle.boxBits)
+  when(state === writeVertex && pair === 3) {
+    io.store.cmd.data(31 downto 25) := frameHeader.tag ^ (check.io.fault ## B(0, 6 bits))
+  }
+
+  val texelFits = address < config.textureTexels
+  io.texels.valid   := state === texel && left =/= 0 && io.words.valid && texelFits
+  io.texels.address := address.resized
+  io.texels.data    := word
+
+  val mismatch = Reg(Bool()) // of draw's counts
+  io.job.valid         := state === hand
+  frameHeader.fill(io.job.payload, triangle.stored)
+  frameHeader.vertical := state === regionY
 
   io.events.accepted        := state === finish && !refused
   io.events.refused         := state === finish && refused
@@ -78,68 +107,8 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   io.events.triangleRefused := False
   io.events.incomplete      := False
 
-  // Address of a vertex's word or a texel; counts up as words are written.
-  val address  = Reg(UInt(16 bits))
-  val count    = False
-  val tagRead  = Reg(Bool())
-  val vertexAddress = ((data(9 downto 0) ## tagRead ## tagRead).asUInt +^ data(9 downto 0).asUInt).resize(16)
-  val texelAddressed = (data(10 downto 0) << 4).asUInt.resize(16)
-  when(count || state === loadVertex || state === load || state === loadTexel) {
-    address := Mux(count, address + 1, Mux(is_(Command.Texels), texelAddressed, vertexAddress))
-  }
-  val beyond   = Reg(Bool()) // the vertex index is
-
-  val check = VertexCheck()
-  val pair  = Reg(UInt(3 bits))
-  check.io.clear        := False
-  check.io.word.valid   := took && is_(Command.Vertices) && (state === fetchFirst || state === fetchSecond)
-  check.io.word.payload := word
-  check.io.pair         := pair
-  check.io.second       := state === fetchSecond
-
-  val box      = TriangleBox(config)
-  val vertical = Reg(Bool())
-  val corner   = Reg(UInt(2 bits))
-  val stale    = Reg(Bool()) // a corner was not sent in this frame
-  val missed   = Reg(Bool()) // the screen, horizontally
-  val firstX, lastX = Reg(UInt(5 bits))
-  val xy = io.store.rsp.payload
-  box.io.clear              := False
-  box.io.vertical           := vertical
-  box.io.coordinate.valid   := state === response && !tagRead
-  box.io.coordinate.payload := Mux(vertical, xy(14 downto 0), xy(30 downto 16)).asSInt
-
-  val boxWord = triangleState ## data(27 downto 20) ## firstX ## lastX ## box.io.firstY ## box.io.lastY
-  io.store.cmd.valid   := False
-  io.store.cmd.write   := state =/= read
-  val second      = state === writeBox
-  val placeBits   = layout.bankAddressBits
-  val place       = UInt(placeBits bits)
-  place := address.resized
-  when(state === writeIndices || second)(place := layout.triangles + (stored ## second).asUInt.resize(placeBits))
-  when(state === writeState)(place := layout.states + triangleState.asUInt.resize(placeBits))
-  io.store.cmd.address := bank.asUInt @@ place
-  io.store.cmd.data    := data
-  when(second)(io.store.cmd.data := boxWord)
-  when(state === writeVertex && pair === 3)(io.store.cmd.data(31 downto 25) := tag ^ (check.io.fault ## B(0, 6 bits)))
-
-  val texelFits = address < config.textureTexels
-  io.texels.valid   := state === texel && left =/= 0 && io.words.valid && texelFits
-  io.texels.address := address.resized
-  io.texels.data    := word
-
-  io.job.valid         := state === hand
-  io.job.bank          := bank.asUInt
-  io.job.triangleCount := stored
-  io.job.clearColor    := clearColor
-  io.job.y1            := region(0)
-  io.job.y0            := region(1)
-  io.job.x1            := region(2)
-  io.job.x0            := region(3)
-
-  val (first, last) = (word(12 downto 8).asUInt, word(4 downto 0).asUInt)
-  val tiles    = Mux(state === regionX, U(config.tilesX - 1, 5 bits), U(config.tilesY - 1, 5 bits))
-  val badRange = (word & 0xe0e0) =/= 0 || first > last || last > tiles
+  /** Uses up the word in hand and goes on to `next`. */
+  def after(next: SpinalEnumElement[DecoderState.type]): Unit = { take := True; when(io.words.valid)(state := next) }
   def refuseIf(condition: Bool): Unit = when(condition && io.words.valid)(refused := True)
   def nextGroup(): Unit = state := Mux(left === 0, finish(), fetchFirst())
 
@@ -149,9 +118,9 @@ case class CommandDecoder(config: RasterConfig) extends Component {
       left    := word(6 downto 0).asUInt
       refused := False
       beyond  := False
-      tagRead := False
       pair    := 0
-      check.io.clear := True
+      check.io.clear   := True
+      triangle.tagRead := False
       when(io.words.valid)(state := dispatch)
     }
     is(dispatch) {
@@ -164,32 +133,36 @@ case class CommandDecoder(config: RasterConfig) extends Component {
         is(Command.Draw.opcode)(state := drawVertices)
         default { refused := True; state := skip }
       }
-      when(!open && !is_(Command.Begin) && !is_(Command.Texels)) { refused := True; state := skip }
+      when(!frameHeader.open && !is_(Command.Begin) && !is_(Command.Texels)) { refused := True; state := skip }
     }
     is(skip) {
       take := left =/= 0
       when(left === 0)(state := finish)
     }
     is(finish) {
-      when(is_(Command.Begin))(open := !refused)
+      when(is_(Command.Begin))(frameHeader.open := !refused)
       state := header
     }
 
     is(begin) {
-      open      := False
-      vertices  := 0
-      triangles := 0
-      stored    := 0
+      frameHeader.open := False
+      vertices         := 0
+      triangle.arrived := 0
+      triangle.stored  := 0
       when(!jobs.msb)(state := frame)
     }
-    is(frame) { tag := word(6 downto 0); after(color) }
-    is(color) { clearColor := word; after(regionX) }
-    is(regionX) { refuseIf(badRange); after(regionY) }
-    is(regionY) { refuseIf(badRange); after(finish) }
+    is(frame) { frameHeader.tag := word(6 downto 0); after(color) }
+    is(color) { frameHeader.clearColor := word; after(regionX) }
+    is(regionX, regionY) {
+      when(io.words.valid)(frameHeader.takeRange())
+      refuseIf(frameHeader.badRange)
+      take := True
+      when(io.words.valid)(state := Mux(frameHeader.vertical, finish(), regionY()))
+    }
 
     is(stateIndex, commonState) {
-      triangleState := word(3 downto 0)
       val bad = word(15 downto 4) =/= 0
+      triangle.renderState := word(3 downto 0)
       refuseIf(bad)
       take := True
       when(io.words.valid)(state := Mux(bad, skip(), fetchFirst()))
@@ -202,11 +175,8 @@ case class CommandDecoder(config: RasterConfig) extends Component {
 
     is(fetchFirst)(after(fetchSecond))
     is(fetchSecond) {
-      take     := True
-      vertical := False
-      corner   := 0
-      stale    := False
-      box.io.clear := True
+      take := True
+      triangle.start()
       when(io.words.valid) {
         state := load
         when(is_(Command.Vertices))(state := writeVertex)
@@ -239,38 +209,21 @@ case class CommandDecoder(config: RasterConfig) extends Component {
     is(read) {
       io.store.cmd.valid := True
       when(io.store.cmd.ready)(state := response)
-      if (config.maxVertices < 1024) stale setWhen (address >= layout.triangles)
     }
     is(response) {
-      // Horizontally a corner's x and its tag are read, vertically its y.
-      tagRead := !vertical && !tagRead
-      state   := load
-      when(tagRead || vertical) {
-        rotate := True
-        corner := corner + 1
-        when(corner === 2)(state := settle)
-      }
-      when(tagRead && xy(31 downto 25) =/= tag)(stale := True)
+      triangle.answer()
+      rotate := triangle.cornerDone
+      state  := Mux(triangle.cornerDone && triangle.lastCorner, settle(), load())
     }
-    is(settle) {
-      corner := corner + 1 // 3, 0, 1: three clocks
-      when(corner === 1)(state := axisDone)
-    }
+    is(settle)(when(triangle.settle())(state := axisDone))
     is(axisDone) {
-      corner   := 0
-      vertical := True
-      when(!vertical) {
-        box.io.clear := True
-        missed       := box.io.empty
-        firstX       := box.io.firstX
-        lastX        := box.io.lastX
-        state        := load
+      when(!triangle.vertical) {
+        triangle.turnVertical()
+        state := load
       } otherwise {
-        triangles := triangles + 1
-        val nothing = missed || box.io.empty
-        val refuse  = stale || (!nothing && stored === config.maxTriangles)
-        io.events.triangleRefused := refuse
-        when(refuse || nothing)(nextGroup()) otherwise (state := writeIndices)
+        triangle.arrived          := triangle.arrived + 1
+        io.events.triangleRefused := triangle.refused
+        when(triangle.refused || triangle.nothing)(nextGroup()) otherwise (state := writeIndices)
       }
     }
     is(writeIndices) {
@@ -279,7 +232,7 @@ case class CommandDecoder(config: RasterConfig) extends Component {
     }
     is(writeBox) {
       io.store.cmd.valid := True
-      when(io.store.cmd.ready) { stored := stored + 1; nextGroup() }
+      when(io.store.cmd.ready) { triangle.stored := triangle.stored + 1; nextGroup() }
     }
 
     is(texelAddress)(after(loadTexel))
@@ -297,27 +250,19 @@ case class CommandDecoder(config: RasterConfig) extends Component {
       }
     }
 
-    is(drawVertices) { stale := word.asUInt =/= vertices.resize(16); after(drawTriangles) }
+    is(drawVertices) { mismatch := word.asUInt =/= vertices.resize(16); after(drawTriangles) }
     is(drawTriangles) {
-      when(word.asUInt =/= triangles.resize(16))(stale := True)
+      when(word.asUInt =/= triangle.arrived.resize(16))(mismatch := True)
       after(hand)
     }
     is(hand) {
       when(io.job.ready) {
-        io.events.incomplete := stale
-        open  := False
-        bank  := !bank
-        state := finish
+        io.events.incomplete := mismatch
+        frameHeader.open     := False
+        frameHeader.bank     := !frameHeader.bank
+        state                := finish
       }
     }
-  }
-
-  // Region words come last in `begin`: they move through as through a shift register.
-  when(took && (state === regionX || state === regionY)) {
-    region(3) := region(1)
-    region(2) := region(0)
-    region(1) := word(12 downto 8).asUInt
-    region(0) := word(4 downto 0).asUInt
   }
 }
 

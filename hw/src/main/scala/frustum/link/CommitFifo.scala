@@ -4,9 +4,10 @@ import spinal.core._
 import spinal.lib._
 
 /** FIFO of 16-bit words whose writer may change its mind: pushed words become visible to the reader at `commit` and
-  * vanish at `rollback`, which both concern the words pushed in earlier clocks only. Holds `depth - 1` words.
+  * vanish at `rollback`, which both concern the words pushed in earlier clocks only. Holds at least `depth - 2` words.
   *
-  * A push while `full` is lost; the writer is expected to look. `io.room` falls while fewer than `margin` words are free.
+  * A push while `full` is lost; the writer is expected to look. `io.room` falls while fewer than `margin` words are
+  * free. Both are a clock late.
   * Read latency two clocks after the commit, one word a clock.
   *
   * @param depth a power of two; 256 words are one EBR of the iCE40
@@ -29,7 +30,7 @@ case class CommitFifo(depth: Int = 256, margin: Int = 16) extends Component {
   val fetched   = Reg(UInt(log2Up(depth) bits)) init 0 // next word to read
 
   val free = fetched - written - 1
-  io.full := free === 0
+  io.full := RegNext(free <= 1) init False // late, so there is room for one more
   io.room := RegNext(free >= margin) init False
 
   // A word is read a clock after its commit at the earliest, hence never in the clock in which it is written.

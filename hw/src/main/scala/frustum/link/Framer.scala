@@ -12,7 +12,7 @@ import spinal.lib._
   * a command with an error, one cut short by the next flag, one that found no room, and a run of bytes before any
   * flag (which is what a command looks like whose flag got lost). Flags may repeat: they serve as filling.
   *
-  * Takes a byte a clock except for one clock after a checksum.
+  * Takes a byte a clock except for one clock at a length and one after a checksum.
   *
   * @param dropWhenFull true: bytes are always taken and a command that finds the FIFO full is dropped, for sources
   *                     that cannot wait; false: the byte stream waits
@@ -38,22 +38,31 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
   val left    = Reg(UInt(7 bits)) // payload words still to come
   val crc     = Reg(Bits(16 bits))
 
-  io.bytes.ready := state =/= check && (if (dropWhenFull) True else !fifo.io.full)
-  val flag   = io.bytes.payload === Command.Flag
-  val escape = io.bytes.payload === Command.Escape && !escaped
-  val byte   = io.bytes.payload ^ (escaped.asBits.resize(8) |<< log2Up(Command.EscapeXor))
-  val data   = io.bytes.fire && !flag && !escape
-  val word   = high ## byte
+  // Flags and unescaped bytes, a clock later.
+  val isFlag   = io.bytes.payload === Command.Flag
+  val isEscape = io.bytes.payload === Command.Escape && !escaped
+  val plain    = io.bytes.payload ^ (escaped.asBits.resize(8) |<< log2Up(Command.EscapeXor))
+  when(io.bytes.fire)(escaped := isEscape)
+  val symbols = io.bytes.throwWhen(isEscape).translateWith(isFlag ## plain).m2sPipe()
+  // A length is looked at for a clock before it is taken.
+  val atLength = state === header && second
+  val looked   = RegNext(atLength && symbols.valid && !symbols.ready) init False
+  val fits     = RegNext(Framer.shapeAccepted(high, symbols.payload(7 downto 0)))
+  symbols.ready := state =/= check && (!atLength || looked) && (if (dropWhenFull) True else !fifo.io.full)
+
+  val flag = symbols.fire && symbols.payload.msb
+  val data = symbols.fire && !symbols.payload.msb
+  val byte = symbols.payload(7 downto 0)
+  val word = high ## byte
 
   val push = False
   val drop = False
   fifo.io.push.valid   := push
   fifo.io.push.payload := word
   fifo.io.commit       := False
-  fifo.io.rollback     := drop
-  io.dropped           := drop
+  io.dropped           := RegNext(drop) init False
+  fifo.io.rollback     := io.dropped // no word is pushed before the second byte from here
 
-  when(io.bytes.fire)(escaped := escape && !flag)
   when(data) {
     crc    := Framer.crcNext(crc, byte)
     second := !second
@@ -66,7 +75,7 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
     is(header) {
       when(data && second) {
         left := byte.asUInt.resized
-        when(Framer.shapeAccepted(high, byte)) { push := True; state := body } otherwise { drop := True; state := skip }
+        when(fits) { push := True; state := body } otherwise { drop := True; state := skip }
       }
     }
     is(body) {
@@ -80,7 +89,7 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
     }
   }
   when(push && fifo.io.full) { drop := True; state := skip }
-  when(io.bytes.fire && flag) {
+  when(flag) {
     drop   := state === body || (state === header && second)
     state  := header
     second := False

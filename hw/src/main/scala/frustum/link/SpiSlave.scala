@@ -36,9 +36,15 @@ case class SpiSlave() extends Component {
     val shift = Reg(Bits(7 bits))
     val bit   = Reg(UInt(3 bits)) init 0
     val index = Reg(UInt(4 bits)) init 0 // bytes of this frame, modulo 16
+    val ended = Reg(Bool()) init False // with this edge a byte ended
+    val first = Reg(Bool()) init False // the last byte that ended was the frame's first, or any 16th after it
     shift := shift(5 downto 0) ## io.pins.mosi
     bit   := bit + 1
-    when(bit === 7)(index := index + 1)
+    ended := bit === 7
+    when(bit === 7) {
+      index := index + 1
+      first := index === 0
+    }
   }
   // Not touched by `cs`: a byte stays valid after the frame ends.
   val held = new ClockingArea(ClockDomain(io.pins.sck, config = ClockDomainConfig(resetKind = BOOT))) {
@@ -51,9 +57,9 @@ case class SpiSlave() extends Component {
   }
   val falling = new ClockingArea(SpiSlave.domain(io.pins, FALLING)) {
     val shift = Reg(Bits(8 bits)) init LinkStatus.Magic
-    val next  = Mux(rising.index === 1, B(LinkStatus.Version, 8 bits), statusByte.addTag(crossClockDomain))
+    val next  = Mux(rising.first, B(LinkStatus.Version, 8 bits), statusByte.addTag(crossClockDomain))
     // Nothing is prepared while the first byte comes, so the second byte of the answer is a constant.
-    shift := Mux(rising.bit === 0, next, shift |<< 1)
+    shift := Mux(rising.ended, next, shift |<< 1)
   }
   io.pins.miso := falling.shift.msb
 

@@ -10,7 +10,7 @@ import spinal.lib._
   * first such pixel for a least coordinate c is p, or p + 1 where c lies beyond p's centre; the range ends before the
   * same pixel for a greatest coordinate, one later where c is on the centre. Both ends are clipped to the screen.
   *
-  * Results are right three clocks after the last coordinate, at most one coordinate a clock.
+  * Results are right five clocks after the last coordinate, at most one coordinate a clock.
   */
 case class TriangleBox(config: RasterConfig) extends Component {
   val pixelBits = log2Up(config.width.max(config.height) + 1)
@@ -48,9 +48,9 @@ case class TriangleBox(config: RasterConfig) extends Component {
     greatest.clearAll()
   }
 
-  val end  = (greatest >> 1) + U(greatest.lsb)
-  val last = end - 1
-  io.empty  := least >= end
+  val end  = RegNext((greatest >> 1) + U(greatest.lsb))
+  val last = RegNext(end - 1)
+  io.empty  := RegNext(least >= end)
   io.firstX := (least >> config.tileLog2Width).resized
   io.lastX  := (last >> config.tileLog2Width).resized
   io.firstY := (least >> config.tileLog2Height).resized

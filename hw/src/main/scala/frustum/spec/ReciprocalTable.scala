@@ -1,18 +1,19 @@
 package frustum.spec
 
-/** Table of r(f) = 2 f / (1 + f) for f in [0, 1), by which 1 / (1 + f) = 1 - r / 2 without a division: 256 intervals,
-  * each a line. Hardware and model read the same words.
+/** Table of r(f) = 2 f / (1 + f) for f in [0, 1), by which 1 / (1 + f) = 1 - r / 2 without a division: 256
+  * intervals, each a line. Hardware and model read the same words.
   *
   * With i the top 8 bits of f and x the next [[FractionBits]] bits,
-  * {{{ r = (base(i) * 2^13 + slope(i) * x) >> 16     in units of 2^-16, 0..65535 }}}
-  * `base` has 3 extra fraction bits and holds the rounding constant and half of the line's own error (r is concave),
-  * so that the total error is at most 0.85 units, or 1 at the very end. r(0) = 0 exactly, whence w = 1 and powers of two are exact.
+  * {{{r = (base(i) * 2^13 + slope(i) * x) >> 16     in units of 2^-16, 0..65535}}} `base` has 3 extra
+  * fraction bits and holds the rounding constant and half of the line's own error (r is concave), so that the
+  * total error is at most 0.85 units, or 1 at the very end. r(0) = 0 exactly, whence w = 1 and powers of two
+  * are exact.
   */
 object ReciprocalTable {
-  val IndexBits    = 8
+  val IndexBits = 8
   val FractionBits = 12
-  val BaseBits     = 19
-  val SlopeBits    = 13
+  val BaseBits = 19
+  val SlopeBits = 13
 
   private val size = 1 << IndexBits
   private def exact(f: Double): Double = 65536 * 2 * f / (1 + f)
@@ -22,7 +23,7 @@ object ReciprocalTable {
   }
 
   val base: Array[Int] = Array.tabulate(size) { i =>
-    val from      = exact(i.toDouble / size)
+    val from = exact(i.toDouble / size)
     val lineError = exact((i + 0.5) / size) - (from + exact((i + 1.0) / size)) / 2
     scala.math.round(8 * (from + lineError / 2 + 0.5) + 0.25).toInt
   }

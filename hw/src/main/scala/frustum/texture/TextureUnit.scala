@@ -8,17 +8,17 @@ import spinal.lib._
 
 /** Nearest texel at a coordinate: wrap, address, fetch, decode; one a clock, latency 2 clocks.
   *
-  * Texel memory has one port. A write that is offered stops the reading, and is done when the last texel that was read
-  * has been taken, since a write spoils the memory's output; then writes go at one a clock. `state` must be stable while
-  * `busy`.
+  * Texel memory has one port. A write that is offered stops the reading, and is done when the last texel that
+  * was read has been taken, since a write spoils the memory's output; then writes go at one a clock. `state`
+  * must be stable while `busy`.
   */
 case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
   val io = new Bundle {
-    val up     = slave(Stream(TextureCoordinate()))
-    val state  = in(RenderStateWord())
+    val up = slave(Stream(TextureCoordinate()))
+    val state = in(RenderStateWord())
     val texels = slave(Stream(TexelWrite()))
-    val down   = master(Stream(Texel()))
-    val busy   = out Bool ()
+    val down = master(Stream(Texel()))
+    val busy = out Bool ()
   }
 
   case class TexelIndex() extends Bundle {
@@ -32,17 +32,17 @@ case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
     index
   }
   val indexed = wrapped.m2sPipe(collapsBubble = false)
-  val read    = indexed.haltWhen(io.texels.valid)
+  val read = indexed.haltWhen(io.texels.valid)
   val fetched = read.translateWith(NoData()).m2sPipe(collapsBubble = false)
 
-  val memory  = SinglePortRam(config.textureTexels, 16, tech)
+  val memory = SinglePortRam(config.textureTexels, 16, tech)
   val address = Mux(io.texels.valid, io.texels.address, TexelAddress(indexed.s, indexed.t, io.state))
-  memory.io.enable    := Mux(io.texels.valid, io.texels.ready, fetched.ready)
-  memory.io.write     := io.texels.fire
-  memory.io.address   := address.resized
+  memory.io.enable := Mux(io.texels.valid, io.texels.ready, fetched.ready)
+  memory.io.write := io.texels.fire
+  memory.io.address := address.resized
   memory.io.writeData := io.texels.data
-  memory.io.mask      := 1
-  io.texels.ready     := !fetched.valid
+  memory.io.mask := 1
+  io.texels.ready := !fetched.valid
 
   io.down << fetched.translateWith(Texel.decode(memory.io.readData, io.state.rgba4444))
   io.busy := indexed.valid || fetched.valid

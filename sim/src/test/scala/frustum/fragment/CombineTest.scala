@@ -24,18 +24,25 @@ class CombineTest extends AnyFunSuite {
     }
   }
 
-  for (mode <- Seq(CombineMode.ColorOnly, CombineMode.Replace, CombineMode.Modulate); format <- Seq(TexelFormat.Rgb565, TexelFormat.Rgba4444))
+  for (
+    mode <- Seq(CombineMode.ColorOnly, CombineMode.Replace, CombineMode.Modulate);
+    format <- Seq(TexelFormat.Rgb565, TexelFormat.Rgba4444)
+  )
     test(s"$mode, $format") {
       val random = new Random(1)
-      val state  = RenderState(Some(TextureRef(0, 3, 3, format)), combine = mode)
-      val rgba   = format == TexelFormat.Rgba4444
+      val state = RenderState(Some(TextureRef(0, 3, 3, format)), combine = mode)
+      val rgba = format == TexelFormat.Rgba4444
       def texel(five: Int, six: Int) = Seq(five, six, five, if (rgba) five else 31)
-      val corners = for (t <- Seq(0, 1, 62, 63); c <- Seq(0, 1, 127, 128, 254, 255)) yield Inputs(texel(t / 2, t), Seq.fill(4)(c))
-      val inputs = corners ++ Seq.fill(2000)(Inputs(texel(random.nextInt(32), random.nextInt(64)), Seq.fill(4)(random.nextInt(256))))
+      val corners =
+        for (t <- Seq(0, 1, 62, 63); c <- Seq(0, 1, 127, 128, 254, 255))
+          yield Inputs(texel(t / 2, t), Seq.fill(4)(c))
+      val inputs = corners ++ Seq.fill(2000)(
+        Inputs(texel(random.nextInt(32), random.nextInt(64)), Seq.fill(4)(random.nextInt(256)))
+      )
       val expected = inputs.map { in =>
         (0 until 4).map { i =>
           val keeps = mode == CombineMode.Replace && (i < 3 || rgba)
-          val t     = if (mode == CombineMode.ColorOnly) (if (i == 1) 63 else 31) else in.texel(i)
+          val t = if (mode == CombineMode.ColorOnly) (if (i == 1) 63 else 31) else in.texel(i)
           model.fragment.Combine.channel(t, if (keeps) 255 else in.color(i))
         }
       }
@@ -47,6 +54,12 @@ class CombineTest extends AnyFunSuite {
           for ((signal, v) <- colors.zip(in.color)) signal #= v
         },
         (p: ColoredFragment) => IndexedSeq(p.r.toInt, p.g.toInt, p.b.toInt, p.a.toInt)
-      ).run(inputs, expected, seed = 1, minThroughput = Some(0.99), setup = dut => StateSim.drive(dut.io.state, state))
+      ).run(
+        inputs,
+        expected,
+        seed = 1,
+        minThroughput = Some(0.99),
+        setup = dut => StateSim.drive(dut.io.state, state)
+      )
     }
 }

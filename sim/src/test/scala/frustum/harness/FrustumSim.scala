@@ -12,6 +12,8 @@ object FrustumSim {
 
   def config: SpinalSimConfig = SimConfig.withConfig(spinalConfig).allOptimisation
 
-  /** Compiles a unit under test once; `name` keeps the workspaces of differently configured instances apart. */
-  def compile[C <: Component](name: String)(unit: => C): SimCompiled[C] = config.workspaceName(name).compile(unit)
+  /** Compiles a unit under test once; `name` keeps the workspaces of differently configured instances apart.
+    */
+  def compile[C <: Component](name: String)(unit: => C): SimCompiled[C] =
+    config.workspaceName(name).compile(unit)
 }

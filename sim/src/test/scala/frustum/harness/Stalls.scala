@@ -1,6 +1,8 @@
 package frustum.harness
 
-/** How often the source offers (`valid`) and the sink takes (`ready`), as probabilities per clock; 1 means always. */
+/** How often the source offers (`valid`) and the sink takes (`ready`), as probabilities per clock; 1 means
+  * always.
+  */
 final case class Stalls(valid: Double, ready: Double) {
   require(valid > 0 && valid <= 1 && ready > 0 && ready <= 1, s"stalls $this: rates lie in (0, 1]")
 }

@@ -6,6 +6,7 @@ import frustum.link._
 import frustum.model.link.LinkModel
 import frustum.spec._
 import org.scalatest.funsuite.AnyFunSuite
+import frustum.texture.TexelWrite
 import spinal.core._
 import spinal.core.sim._
 import spinal.lib._

@@ -8,26 +8,27 @@ import frustum.texture.TexelWrite
 import spinal.core._
 import spinal.lib._
 
-/** The fragment pipeline as its sender uses it: `begin` starts a frame, and fragments follow when that was taken. */
+/** The fragment pipeline as its sender uses it: the fragments of each frame wait until its `start` was taken.
+  */
 class FragmentHarness(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
-    val up         = slave(Stream(InterpolatedFragment(config)))
-    val state      = in(RenderStateWord())
-    val clearColor = in Bits (16 bits)
-    val begin      = in Bool ()
-    val tile       = slave(Stream(TilePosition()))
-    val texels     = slave(Stream(TexelWrite()))
-    val pixels     = master(Stream(ResolvedPixel(config)))
-    val busy       = out Bool ()
+    val up = slave(Stream(InterpolatedFragment(config)))
+    val state = in(RenderStateWord())
+    val start = slave(Stream(FrameStart()))
+    val tile = slave(Stream(TilePosition()))
+    val texels = slave(Stream(TexelWrite()))
+    val pixels = master(Stream(ResolvedPixel(config)))
+    val busy = out Bool ()
   }
   val pipeline = FragmentPipeline(config, tech)
-  val started  = RegInit(False) setWhen pipeline.io.start.fire
-  pipeline.io.start.valid      := io.begin && !started
-  pipeline.io.start.clearColor := io.clearColor
-  pipeline.io.up     << io.up.haltWhen(!started)
-  pipeline.io.state  := io.state
-  pipeline.io.tile   << io.tile
+  val started = RegInit(False) setWhen pipeline.io.start.fire
+  val tiles = Counter(config.tilesX * config.tilesY, inc = pipeline.io.up.fire && pipeline.io.up.tileEnd)
+  when(tiles.willOverflow) { started := False }
+  pipeline.io.start << io.start.haltWhen(started)
+  pipeline.io.up << io.up.haltWhen(!started)
+  pipeline.io.state := io.state
+  pipeline.io.tile << io.tile
   pipeline.io.texels << io.texels
   io.pixels << pipeline.io.pixels
-  io.busy   := pipeline.io.busy
+  io.busy := pipeline.io.busy
 }

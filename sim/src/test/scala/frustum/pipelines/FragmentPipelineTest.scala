@@ -26,7 +26,10 @@ class FragmentPipelineTest extends AnyFunSuite {
   /** Fragments of all tiles of a frame: `perTile` each, drawn by `pick`. */
   def frame(config: RasterConfig, perTile: Int, pick: FragmentValues => Unit): Seq[Item] =
     (0 until config.tilesX * config.tilesY).flatMap { _ =>
-      Seq.fill(perTile) { val f = new FragmentValues; pick(f); Item(tileEnd = false, f) } :+ Item(tileEnd = true, new FragmentValues)
+      Seq.fill(perTile) { val f = new FragmentValues; pick(f); Item(tileEnd = false, f) } :+ Item(
+        tileEnd = true,
+        new FragmentValues
+      )
     }
 
   def anywhere(config: RasterConfig, random: Random)(f: FragmentValues): Unit = {
@@ -49,22 +52,33 @@ class FragmentPipelineTest extends AnyFunSuite {
     f.y = 0
   }
 
-  def expected(config: RasterConfig, clear: Int, items: Seq[Item], state: RenderState, texels: Array[Int]): Seq[Pixel] = {
+  def expected(
+      config: RasterConfig,
+      clears: Seq[Int],
+      items: Seq[Item],
+      state: RenderState,
+      texels: Array[Int]
+  ): Seq[Pixel] = {
     val model = new FragmentModel(config, texels)
-    val out   = mutable.ArrayBuffer.empty[Pixel]
+    val out = mutable.ArrayBuffer.empty[Pixel]
     val image = new Array[Int](config.width * config.height)
-    var tile  = 0
-    model.clear(clear)
+    var tile = 0
+    var count = 0
+    model.clear(clears.head)
     for (item <- items)
       if (!item.tileEnd) model.draw(item.values, state)
       else {
         val (x, y) = (tile % config.tilesX, tile / config.tilesX)
         model.resolve(x, y, image)
         val (left, top) = (x * config.tileWidth, y * config.tileHeight)
-        for (row <- top until config.height.min(top + config.tileHeight); column <- left until config.width.min(left + config.tileWidth))
+        for (
+          row <- top until config.height.min(top + config.tileHeight);
+          column <- left until config.width.min(left + config.tileWidth)
+        )
           out += Pixel(image(row * config.width + column), row == top && column == left, x, y)
-        model.clear(clear)
-        tile = (tile + 1) % (config.tilesX * config.tilesY)
+        count += 1
+        tile = count % (config.tilesX * config.tilesY)
+        model.clear(clears(count / (config.tilesX * config.tilesY) % clears.length))
       }
     out.toSeq
   }
@@ -77,10 +91,11 @@ class FragmentPipelineTest extends AnyFunSuite {
   }
   def read(p: ResolvedPixel): Pixel = Pixel(p.color.toInt, p.first.toBoolean, p.tileX.toInt, p.tileY.toInt)
 
-  /** Loads texels and starts the frame before the first fragment is taken (it is held back by `tile` and `start`). */
-  def prepare(config: RasterConfig, clear: Int, state: RenderState, texels: Array[Int])(dut: FragmentHarness): Unit = {
+  /** Loads texels, then starts frame after frame, with the clear colours in turn. */
+  def prepare(config: RasterConfig, clears: Seq[Int], state: RenderState, texels: Array[Int])(
+      dut: FragmentHarness
+  ): Unit = {
     StateSim.drive(dut.io.state, state)
-    dut.io.clearColor #= clear
     var tile = 0
     StreamDriver(dut.io.tile, dut.clockDomain) { p: TilePosition =>
       p.tileX #= tile % config.tilesX
@@ -92,8 +107,12 @@ class FragmentPipelineTest extends AnyFunSuite {
     StreamDriver(dut.io.texels, dut.clockDomain) { p =>
       load.hasNext && { val i = load.next(); p.address #= i; p.data #= texels(i); true }
     }.transactionDelay = () => 0
-    dut.io.begin #= false
-    fork { dut.clockDomain.waitSampling(texels.length + 20); dut.io.begin #= true }
+    var started = 0
+    StreamDriver(dut.io.start, dut.clockDomain) { p =>
+      val go = !load.hasNext
+      if (go) { p.clearColor #= clears(started % clears.length); started += 1 }
+      go
+    }
   }
 
   val small = RasterConfig(19, 21, 3, 3, textureTexels = 256)
@@ -102,14 +121,24 @@ class FragmentPipelineTest extends AnyFunSuite {
   lazy val compiledOdd = FrustumSim.compile("FragmentPipeline_odd")(new FragmentHarness(odd))
 
   def check(
-      config: RasterConfig, seed: Int, state: RenderState, items: Seq[Item], stalls: Seq[Stalls] = Stalls.All, throughput: Option[Double] = None
+      config: RasterConfig,
+      seed: Int,
+      state: RenderState,
+      items: Seq[Item],
+      stalls: Seq[Stalls] = Stalls.All,
+      throughput: Option[Double] = None,
+      colors: Int = 1
   ): Unit = {
     val random = new Random(seed + 1000)
     val texels = Array.fill(config.textureTexels)(random.nextInt(65536))
-    val clear  = random.nextInt(65536)
+    val clears = Seq.fill(colors)(random.nextInt(65536))
     Equality(if (config == small) compiledSmall else compiledOdd)(_.io.up, _.io.pixels)(drive, read).run(
-      items, expected(config, clear, items, state, texels), seed, stalls, throughput,
-      setup = prepare(config, clear, state, texels),
+      items,
+      expected(config, clears, items, state, texels),
+      seed,
+      stalls,
+      throughput,
+      setup = prepare(config, clears, state, texels),
       done = dut => assert(!dut.io.busy.toBoolean, s"seed $seed: still busy")
     )
   }
@@ -120,23 +149,45 @@ class FragmentPipelineTest extends AnyFunSuite {
   }
   for (seed <- 1 to 3) test(s"random states and fragments, 32 x 16 tiles, odd screen, seed $seed") {
     val random = new Random(seed)
-    check(odd, seed, StateSim.random(random, 1024), frame(odd, 600, anywhere(odd, random)), Seq(Stalls.Never, Stalls(0.7, 0.4)))
+    check(
+      odd,
+      seed,
+      StateSim.random(random, 1024),
+      frame(odd, 600, anywhere(odd, random)),
+      Seq(Stalls.Never, Stalls(0.7, 0.4))
+    )
   }
   for (blend <- Seq(false, true)) test(s"hazard hammer, blend = $blend") {
     val random = new Random(9)
-    val state  = RenderState(depth = DepthFunction.LessEq, blend = blend)
+    val state = RenderState(depth = DepthFunction.LessEq, blend = blend)
     check(small, 9, state, frame(small, 300, hammer(small, random)))
   }
   test("empty tiles show the clear colour, tile after tile") {
     check(small, 10, RenderState(), frame(small, 0, _ => ()) ++ frame(small, 0, _ => ()))
   }
+  test("frames follow each other, with the same clear colour and with others") {
+    val random = new Random(12)
+    val items = Seq.fill(4)(frame(small, 60, anywhere(small, random))).flatten
+    check(small, 12, RenderState(blend = true), items)
+    check(small, 13, RenderState(blend = true), items, colors = 3)
+  }
   test("one fragment a clock") {
-    val items = frame(odd, 2048, _ => ()).grouped(2049).flatMap { tile =>
-      tile.init.zipWithIndex.foreach { case (item, i) =>
-        item.values.x = i % 32; item.values.y = i / 32 % 16; item.values.q = 1 << 30
+    val items = frame(odd, 2048, _ => ())
+      .grouped(2049)
+      .flatMap { tile =>
+        tile.init.zipWithIndex.foreach { case (item, i) =>
+          item.values.x = i % 32; item.values.y = i / 32 % 16; item.values.q = 1 << 30
+        }
+        tile
       }
-      tile
-    }.toSeq
-    check(odd, 11, RenderState(depth = DepthFunction.LessEq, blend = true), items, Seq(Stalls.Never), Some(0.92))
+      .toSeq
+    check(
+      odd,
+      11,
+      RenderState(depth = DepthFunction.LessEq, blend = true),
+      items,
+      Seq(Stalls.Never),
+      Some(0.92)
+    )
   }
 }

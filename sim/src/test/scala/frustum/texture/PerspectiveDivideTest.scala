@@ -21,7 +21,7 @@ class PerspectiveDivideTest extends AnyFunSuite {
   }
 
   test("quotient against exact arithmetic: relative error below 2^-16, cutting below 2^-17 repeats") {
-    val random   = new Random(1)
+    val random = new Random(1)
     var relative = 0.0
     for (_ <- 0 until 300000) {
       val q = (1 << 30 | random.nextInt(1 << 30)) >> random.nextInt(15)
@@ -37,17 +37,32 @@ class PerspectiveDivideTest extends AnyFunSuite {
 
   test("a power of two as q is exact down to the last fraction bit") {
     for (e <- 0 to 15; s <- Seq(0, 1, -1, 12345, -54321, (1 << 22) + 64)) {
-      val q      = 1 << (30 - e)
+      val q = 1 << (30 - e)
       val scaled = s >> e << 6 >> 6
       assert(model.texture.PerspectiveDivide(scaled, q) == (scaled << e) >> 5, s"$scaled / 2^-$e")
     }
   }
 
   test("hardware equals model") {
-    val random  = new Random(2)
-    val corners = Seq(0, 1, -1, Int.MaxValue, Int.MinValue, 1 << 30, 0x3fffffff, 1 << 15, 0xffff, 1 << 16, 1 << 27, 1 << 26)
+    val random = new Random(2)
+    val corners = Seq(
+      0,
+      1,
+      -1,
+      Int.MaxValue,
+      Int.MinValue,
+      1 << 30,
+      0x3fffffff,
+      1 << 15,
+      0xffff,
+      1 << 16,
+      1 << 27,
+      1 << 26
+    )
     val inputs = (for (q <- corners; s <- corners) yield (s, -s, q)) ++
-      Seq.fill(5000)((random.nextInt() >> random.nextInt(20), random.nextInt(), random.nextInt() >>> random.nextInt(20)))
+      Seq.fill(5000)(
+        (random.nextInt() >> random.nextInt(20), random.nextInt(), random.nextInt() >>> random.nextInt(20))
+      )
     val expected = inputs.map { case (s, t, q) =>
       (model.texture.PerspectiveDivide(s, q), model.texture.PerspectiveDivide(t, q))
     }

@@ -1,6 +1,8 @@
 package frustum.model.fixed
 
-/** 16 x 16 bit product as 32 bits; operands are taken as two's complement where signed, otherwise as 0..65535. */
+/** 16 x 16 bit product as 32 bits; operands are taken as two's complement where signed, otherwise as
+  * 0..65535.
+  */
 object Multiplier16 {
   def apply(a: Int, b: Int, signedA: Boolean, signedB: Boolean): Int = {
     val x = if (signedA) a.toShort.toInt else a & 0xffff

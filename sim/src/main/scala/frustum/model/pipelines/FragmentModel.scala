@@ -5,10 +5,11 @@ import frustum.model.texture.{PerspectiveDivide, TextureUnit}
 import frustum.spec.{RasterConfig, RenderState, TexelFormat, TextureRef}
 import frustum.spec.{Combine => CombineMode}
 
-/** Bit-exact fragment stages with the buffers of one tile. Use: [[clear]], [[draw]] for every fragment of the tile,
-  * [[resolve]]. Allocates nothing per fragment.
+/** Bit-exact fragment stages with the buffers of one tile. Use: [[clear]], [[draw]] for every fragment of the
+  * tile, [[resolve]]. Allocates nothing per fragment.
   *
-  * @param texels texel memory, 16 bits a word
+  * @param texels
+  *   texel memory, 16 bits a word
   */
 final class FragmentModel(config: RasterConfig, texels: Array[Int]) {
   private val words = config.tileWidth * config.tileHeight
@@ -17,7 +18,7 @@ final class FragmentModel(config: RasterConfig, texels: Array[Int]) {
   val color: Array[Int] = new Array[Int](words)
   val depth: Array[Int] = new Array[Int](words)
 
-  private var state: RenderState  = _
+  private var state: RenderState = _
   private var texture: TextureRef = _
   private var textured, replace, rgba4444 = false
 
@@ -29,8 +30,8 @@ final class FragmentModel(config: RasterConfig, texels: Array[Int]) {
   /** Draws a fragment; true if it passed the alpha and depth tests. */
   def draw(f: Fragment, s: RenderState): Boolean = {
     if (s ne state) select(s)
-    val at    = f.y << config.tileLog2Width | f.x
-    val z     = Fragment.depth(f.z)
+    val at = f.y << config.tileLog2Width | f.x
+    val z = Fragment.depth(f.z)
     val texel = if (textured) fetch(f) else -1
     val a = Combine.channel(texel & 31, if (replace && rgba4444) 255 else Fragment.channel(f.a))
     val pass = a >= s.alphaRef && s.depth.passes(z, depth(at))
@@ -47,11 +48,15 @@ final class FragmentModel(config: RasterConfig, texels: Array[Int]) {
 
   /** Copies the part of the tile that lies on the screen to `into`, RGB565, row by row from the top. */
   def resolve(tileX: Int, tileY: Int, into: Array[Int]): Unit = {
-    val x     = tileX * config.tileWidth
+    val x = tileX * config.tileWidth
     val width = config.tileWidth.min(config.width - x)
     for (row <- 0 until config.tileHeight.min(config.height - tileY * config.tileHeight))
       System.arraycopy(
-        color, row * config.tileWidth, into, (tileY * config.tileHeight + row) * config.width + x, width
+        color,
+        row * config.tileWidth,
+        into,
+        (tileY * config.tileHeight + row) * config.width + x,
+        width
       )
   }
 
@@ -64,10 +69,15 @@ final class FragmentModel(config: RasterConfig, texels: Array[Int]) {
   }
 
   private def fetch(f: Fragment): Int = {
-    val exponent   = PerspectiveDivide.exponent(f.q)
+    val exponent = PerspectiveDivide.exponent(f.q)
     val reciprocal = PerspectiveDivide.reciprocal(f.q, exponent)
-    val s = TextureUnit.index(PerspectiveDivide.quotient(f.s, exponent, reciprocal), state.wrapS, texture.log2Width)
-    val t = TextureUnit.index(PerspectiveDivide.quotient(f.t, exponent, reciprocal), state.wrapT, texture.log2Height)
+    val s =
+      TextureUnit.index(PerspectiveDivide.quotient(f.s, exponent, reciprocal), state.wrapS, texture.log2Width)
+    val t = TextureUnit.index(
+      PerspectiveDivide.quotient(f.t, exponent, reciprocal),
+      state.wrapT,
+      texture.log2Height
+    )
     val address = TextureUnit.address(s, t, texture.base, texture.log2Width)
     TextureUnit.decode(texels(address % texels.length), rgba4444)
   }

@@ -8,7 +8,7 @@ object TextureUnit {
   /** Texel along one axis of 2^log2 texels, from a coordinate in repeats with 17 fraction bits. */
   def index(coordinate: Int, wrap: Wrap, log2: Int): Int = {
     val fraction = (coordinate >> 10) & 127
-    val integer  = coordinate >> 17
+    val integer = coordinate >> 17
     val wrapped = wrap match {
       case Wrap.Repeat => fraction
       case Wrap.Mirror => if ((integer & 1) != 0) 127 - fraction else fraction
@@ -19,8 +19,8 @@ object TextureUnit {
 
   /** The texel read for a fragment, `texelT << 8 | texelS`; the state must have a texture. */
   def texel(s: Int, t: Int, q: Int, state: RenderState): Int = {
-    val texture    = state.texture.get
-    val exponent   = PerspectiveDivide.exponent(q)
+    val texture = state.texture.get
+    val exponent = PerspectiveDivide.exponent(q)
     val reciprocal = PerspectiveDivide.reciprocal(q, exponent)
     index(PerspectiveDivide.quotient(t, exponent, reciprocal), state.wrapT, texture.log2Height) << 8 |
       index(PerspectiveDivide.quotient(s, exponent, reciprocal), state.wrapS, texture.log2Width)

@@ -1,0 +1,36 @@
+package frustum.link
+
+import frustum.spec.RasterConfig
+import spinal.core._
+
+/** What [[CommandDecoder]] knows of the frame being filled: `open` from a good `begin` to `draw`.
+  *
+  * @param word the word of `begin` in hand
+  */
+class FrameHeader(config: RasterConfig, word: Bits) extends Area {
+  val open       = RegInit(False)
+  val bank       = RegInit(False)
+  val tag        = Reg(Bits(7 bits))
+  val clearColor = Reg(Bits(16 bits))
+  val region     = Reg(Vec.fill(4)(UInt(5 bits))) // x0, x1, y0, y1
+
+  val vertical      = Bool() // the range in hand is that of y
+  val (first, last) = (word(12 downto 8).asUInt, word(4 downto 0).asUInt)
+  val lastTile      = Mux(vertical, U(config.tilesY - 1, 5 bits), U(config.tilesX - 1, 5 bits))
+  val badRange      = (word & 0xe0e0) =/= 0 || first > last || last > lastTile
+
+  /** Takes a range of tiles; x comes first and is moved on by y. */
+  def takeRange(): Unit = {
+    region(0) := region(2)
+    region(1) := region(3)
+    region(2) := first
+    region(3) := last
+  }
+
+  def fill(job: FrameJob, triangleCount: UInt): Unit = {
+    job.bank          := bank.asUInt
+    job.triangleCount := triangleCount
+    job.clearColor    := clearColor
+    for ((end, value) <- Seq(job.x0, job.x1, job.y0, job.y1).zip(region)) end := value
+  }
+}

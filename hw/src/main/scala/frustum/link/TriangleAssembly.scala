@@ -1,0 +1,71 @@
+package frustum.link
+
+import frustum.spec.RasterConfig
+import frustum.spec.StoreLayout
+import spinal.core._
+
+/** The part of [[CommandDecoder]] that judges a triangle: it has the corners' positions and tags read, last corner
+  * first, horizontally (position and tag) and then vertically (position alone), and finds the bounding box.
+  *
+  * @param tag     of the frame, @param address of the word being read
+  * @param corners word of the store that a read has brought
+  * @param arrives a read is answered in this clock
+  */
+class TriangleAssembly(config: RasterConfig, tag: Bits, address: UInt, corners: Bits, arrives: Bool) extends Area {
+  val layout      = StoreLayout(config)
+  val arrived     = Reg(UInt(CommandDecoder.CountBits bits)) // since begin
+  val stored      = Reg(UInt(11 bits)) // in the bank
+  val renderState = Reg(Bits(4 bits))
+
+  val tagRead  = Reg(Bool()) // the word being read is that with the tag
+  val vertical = Reg(Bool())
+  val corner   = Reg(UInt(2 bits))
+  val stale    = Reg(Bool()) // a corner was not sent in this frame
+  val missed   = Reg(Bool()) // the screen, horizontally
+  val firstX, lastX = Reg(UInt(5 bits))
+
+  val box = TriangleBox(config)
+  box.io.clear              := False
+  box.io.vertical           := vertical
+  box.io.coordinate.valid   := arrives && !tagRead
+  box.io.coordinate.payload := Mux(vertical, corners(14 downto 0), corners(30 downto 16)).asSInt
+
+  val cornerDone = tagRead || vertical // with this answer
+  val lastCorner = corner === 2
+
+  val nothing = missed || box.io.empty
+  val refused = stale || (!nothing && stored === config.maxTriangles)
+
+  /** The box as the lower bits of the triangle's second word hold it. */
+  val boxBits = firstX ## lastX ## box.io.firstY ## box.io.lastY
+
+  def start(): Unit = {
+    tagRead      := False
+    vertical     := False
+    corner       := 0
+    stale        := False
+    box.io.clear := True
+  }
+
+  def answer(): Unit = {
+    tagRead := !vertical && !tagRead
+    when(cornerDone)(corner := corner + 1)
+    when(tagRead && corners(31 downto 25) =/= tag)(stale := True)
+    if (config.maxVertices < 1024) stale setWhen (address >= layout.triangles)
+  }
+
+  /** Waits for the box; true in the last clock. */
+  def settle(): Bool = {
+    corner := corner + 1 // 3, 0, 1, 2
+    corner === 2
+  }
+
+  def turnVertical(): Unit = {
+    corner       := 0
+    vertical     := True
+    missed       := box.io.empty
+    firstX       := box.io.firstX
+    lastX        := box.io.lastX
+    box.io.clear := True
+  }
+}
