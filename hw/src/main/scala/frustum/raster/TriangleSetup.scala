@@ -35,6 +35,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     val write = master Flow (CoefficientWrite(slots))
     val spans = master Stream (Span(config))
     val token = master Stream (DrawToken(config, slots))
+    val busy  = out Bool () // a triangle or a tile's end has not been drawn yet
     val setUp = out Bool () // pulses when a triangle has been set up whole
     val moved = out Bool () // pulses when a triangle has been moved to a tile
   }
@@ -67,9 +68,21 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
 
   // The triangle that is being drawn. Its slot must not be set up anew meanwhile.
   val token     = Stream(DrawToken(config, slots))
-  val drawn     = token.m2sPipe(holdPayload = true)
+  val drawn     = Stream(DrawToken(config, slots))
   val slotDrawn = drawn.valid && !drawn.tileEnd && drawn.slot === slot
   io.token << drawn
+
+  // A tile's end waits behind the triangle that is being drawn, so that meanwhile the next tile's first can be set up.
+  val endWaits = RegInit(False)
+  val next     = Stream(DrawToken(config, slots))
+  next.valid   := endWaits || token.valid && !token.tileEnd
+  next.payload := token.payload
+  next.tileEnd.removeAssignments() := endWaits
+  token.ready  := !endWaits && (token.tileEnd || next.ready)
+  when(next.fire) { endWaits := False }
+  when(token.fire && token.tileEnd) { endWaits := True }
+  drawn << next.m2sPipe(holdPayload = true)
+  io.busy := endWaits || drawn.valid
 
   import SetupProgram.{SectionArea, SectionAttributes, SectionEdges, SectionGradients, SectionRebase, SectionSteps}
 
