@@ -44,7 +44,7 @@ case class Rasterizer(config: RasterConfig, slots: Int, tech: Tech) extends Comp
   Seq(setup.io.bank, loader.io.bank).foreach(_ := io.frame.bank)
   Seq(setup.io.flush, loader.io.flush).foreach(_ := flush)
   sequencer.io.drained :=
-    !setup.io.job.valid && !setup.io.token.valid && !interpolator.io.busy && !io.draining
+    !setup.io.job.valid && !setup.io.busy && !interpolator.io.busy && !io.draining
   loader.io.busy := interpolator.io.busy || io.draining
   io.state := loader.io.current
   io.setUp := setup.io.setUp

@@ -88,7 +88,7 @@ case class SetupFetch(layout: StoreLayout) extends Component {
   val minuend    = working ? field | (io.pixel << 4).intoSInt.resize(32)
   val difference = minuend - io.readData
   val raise      = working ? (perStep(s => Bool(s.upper)) && vertex =/= 0) | io.upper
-  io.write.valid := working
+  io.write.valid := working && perStep(s => Bool(s.field != Field.Skip))
   io.write.word := Vec((0 to 2).map(v => perStep(s => U(s.targets(v), 6 bits))))(vertex.resized)
   io.write.data := raise ? (difference |<< 16) | difference
 
@@ -118,8 +118,7 @@ case class SetupFetch(layout: StoreLayout) extends Component {
     is(State.Wait) { when(io.store.rsp.valid) { state := State.Write } }
     is(State.Write) {
       step := step + 1
-      when(perStep(s => Bool(s.take == 16))) { word := word |<< 16 }
-      when(perStep(s => Bool(s.take == 8))) { word := word |<< 8 }
+      when(perStep(s => Bool(s.take))) { word := word |<< 8 }
       when(perStep(s => Bool(lastOfWord(s)))) { state := State.Read }
       when(step === steps.length - 1) {
         step := 0
@@ -134,13 +133,13 @@ case class SetupFetch(layout: StoreLayout) extends Component {
 }
 
 object SetupFetch {
-  object Field extends Enumeration { val Position, Z, Q, Texture, Scale, Color = Value }
+  object Field extends Enumeration { val Position, Z, Q, Texture, Scale, Color, Skip = Value }
 
   /** One write of a vertex's field, which stands at the top of the store word, except for texture coordinates.
     *
     * @param word    which of the vertex's store words holds it
     * @param targets scratch word for vertices 0, 1 and 2
-    * @param take    bits of the store word that are done with afterwards
+    * @param take    the store word's top byte is done with
     * @param origin  vertex 0's value, subtracted for vertices 1 and 2
     * @param upper   differences are written times 2^16
     */
@@ -148,35 +147,40 @@ object SetupFetch {
       word: Int,
       field: Field.Value,
       targets: Seq[Int],
-      take: Int = 0,
+      take: Boolean = false,
       origin: Option[Int] = None,
       upper: Boolean = false
   )
 
-  private def position(targets: Seq[Int], take: Int, upper: Boolean, origin: Int) =
+  private def position(targets: Seq[Int], take: Boolean, upper: Boolean, origin: Int) =
     Step(0, Field.Position, targets, take, Some(origin), upper)
-  private def plane(word: Int, field: Field.Value, p: Int, take: Int) =
-    Step(word, field, Seq(value(p), delta1(p), delta2(p)), take, Some(value(p)))
+  private def plane(word: Int, field: Field.Value, p: Int) =
+   
+    Step(word, field, Seq(value(p), delta1(p), delta2(p)), take = true, Some(value(p)))
+
+  private def skip(word: Int) = Step(word, Field.Skip, Seq(Nothing, Nothing, Nothing), take = true)
 
   // What vertex 0 leaves in a difference's place, vertex 1 overwrites.
   val steps: Seq[Step] = Seq(
-    position(Seq(X0, DX1, DX2), take = 0, upper = false, X0),
-    position(Seq(DX1_16, DX1_16, DX2_16), take = 16, upper = true, X0),
-    position(Seq(Y0, DY1_16, DY2_16), take = 0, upper = true, Y0),
-    plane(1, Field.Z, PlaneZ, take = 16),
+    position(Seq(X0, DX1, DX2), take = false, upper = false, X0),
+    position(Seq(DX1_16, DX1_16, DX2_16), take = true, upper = true, X0),
+    skip(0),
+    position(Seq(Y0, DY1_16, DY2_16), take = false, upper = true, Y0),
+    plane(1, Field.Z, PlaneZ),
+    skip(1),
     Step(1, Field.Q, (0 to 2).map(q)),
     Step(2, Field.Texture, (0 to 2).map(s)),
     Step(2, Field.Scale, (0 to 2).map(scale)),
     Step(3, Field.Texture, (0 to 2).map(t)),
-    plane(4, Field.Color, PlaneR, take = 8),
-    plane(4, Field.Color, PlaneG, take = 8),
-    plane(4, Field.Color, PlaneB, take = 8),
-    plane(4, Field.Color, PlaneA, take = 8)
+    plane(4, Field.Color, PlaneR),
+    plane(4, Field.Color, PlaneG),
+    plane(4, Field.Color, PlaneB),
+    plane(4, Field.Color, PlaneA)
   )
   val ExponentWord = 2
 
   private def lastOfWord(s: Step): Boolean = {
-    val next = steps.indexOf(s) + 1
+    val next = steps.indexWhere(_ eq s) + 1
     next == steps.length || steps(next).word != s.word
   }
 }

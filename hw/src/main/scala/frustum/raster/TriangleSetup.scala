@@ -34,6 +34,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     val write = master Flow (CoefficientWrite(slots))
     val spans = master Stream (Span(config))
     val token = master Stream (DrawToken(config, slots))
+    val busy  = out Bool () // tokens are under way
     val setUp = out Bool () // pulses when a triangle has been set up whole
     val moved = out Bool () // pulses when a triangle has been moved to a tile
   }
@@ -76,6 +77,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   val nextUsed = Seq(waiting, drawn).map(s => holds(s) && s.slot === next).orR
   val bothUsed = holds(waiting) && holds(drawn) // so are both entries for first values
   io.token << drawn
+  io.busy := waiting.valid || drawn.valid
 
   import SetupProgram.{SectionArea, SectionAttributes, SectionEdges, SectionGradients, SectionRebase, SectionSteps}
 

@@ -31,6 +31,8 @@ object RenderReport {
     put("clocksPerFrameAtPins", atPins)
     put("clocksPerFragment", clocks.zip(fragments.filter(_ > 0)).map { case (c, n) => c / n })
     put("busBytes", f.mean(_.busBytes))
+    put("setUps", f.mean(_.setUps))
+    put("moves", f.mean(_.moves))
     put("passes", f.mean(frame => Some(frame.passes.toLong)))
     if (clocks.isDefined || atPins.isDefined) {
       report("clockMHz") = clock.mhz

@@ -8,12 +8,15 @@ import frustum.host.PreparedFrame
   * @param clocks       core clocks of the frame, store loaded, sink always ready
   * @param clocksAtPins core clocks from the first command bit to the last display bit
   * @param busBytes     bytes of the frame's commands on the wire, textures not included
+  * @param setUps       triangles set up whole, @param moves triangles moved to a tile; a triangle counts in every pass
   */
 final case class RenderedFrame(
     image: Array[Int],
     clocks: Option[Long] = None,
     clocksAtPins: Option[Long] = None,
-    busBytes: Option[Long] = None
+    busBytes: Option[Long] = None,
+    setUps: Option[Long] = None,
+    moves: Option[Long] = None
 )
 
 /** Something that draws prepared frames: float64, bit-exact model, or simulated hardware. All frames of one

@@ -1,6 +1,7 @@
 package frustum.engine
 
 import frustum.OutputFile
+import frustum.spec.RasterConfig
 import spinal.core._
 import spinal.core.sim._
 import java.nio.file.{Files, Path, StandardCopyOption}
@@ -22,6 +23,12 @@ object EngineSim {
     defaultClockDomainFrequency = FixedFrequency(36 MHz),
     headerWithRepoHash = false // or every commit would have everything compiled anew
   )
+
+  /** Everything of a configuration, for names of simulations. */
+  def nameOf(config: RasterConfig): String = {
+    import config._
+    s"${width}x${height}_${tileWidth}x${tileHeight}_${maxVertices}_${maxTriangles}_$textureTexels"
+  }
 
   /** @param name must tell everything that the design depends on
     * @param wave file that is to take a waveform: VCD where its name ends so, else FST

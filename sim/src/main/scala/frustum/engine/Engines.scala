@@ -17,6 +17,7 @@ object Engines {
   val names: Seq[String] = Seq("hardware", "pipeline", "model", "reference")
 
   val table: Seq[EngineEntry] = Seq(
+    EngineEntry("hardware", simulated = true, new HardwareEngine(_)),
     EngineEntry("pipeline", simulated = true, new PipelineEngine(_)),
     EngineEntry("model", simulated = false, _ => new PassEngine(new RasterModel(_))),
     EngineEntry("reference", simulated = false, _ => new PassEngine(new ReferenceRenderer(_)))

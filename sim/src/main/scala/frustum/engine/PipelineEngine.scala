@@ -1,6 +1,9 @@
 package frustum.engine
 
 import frustum.host.{Driver, PreparedFrame}
+import frustum.spec.RasterConfig
+import spinal.core.sim.SimCompiled
+import java.nio.file.Path
 
 /** The Stream core in simulation: command bytes are fed as fast as they are taken, pixels taken as they come. While a
   * frame is drawn the next one's bytes arrive.
@@ -18,7 +21,10 @@ final class PipelineEngine(options: EngineOptions, byteStall: Double = 0, pixelS
       val drawn = frames.map { frame =>
         val image  = new Array[Int](config.width * config.height)
         val passes = frame.passes.map(session.take(_, image))
-        RenderedFrame(image, clocks = Some(passes.map(_.clocks).sum), busBytes = Some(PipelineEngine.busBytes(frame)))
+        RenderedFrame(
+          image, clocks = Some(passes.map(_.clocks).sum), busBytes = Some(PipelineEngine.busBytes(frame)),
+          setUps = Some(passes.map(_.setUps.toLong).sum), moves = Some(passes.map(_.moves.toLong).sum)
+        )
       }
       if (session.faulty) throw new IllegalStateException(s"the link refused what the driver sent: ${session.status}")
       drawn
@@ -29,9 +35,6 @@ final class PipelineEngine(options: EngineOptions, byteStall: Double = 0, pixelS
 object PipelineEngine {
   def busBytes(frame: PreparedFrame): Long = frame.passes.flatMap(Driver.commands).map(_.length.toLong).sum
 
-  def compile(config: frustum.spec.RasterConfig, wave: Option[java.nio.file.Path] = None) = {
-    import config._
-    val name = s"Pipeline_${width}x${height}_${tileWidth}x${tileHeight}_${maxVertices}_${maxTriangles}_$textureTexels"
-    EngineSim.compile(name, wave)(PipelineTestbed(config))
-  }
+  def compile(config: RasterConfig, wave: Option[Path] = None): SimCompiled[PipelineTestbed] =
+    EngineSim.compile(s"Pipeline_${EngineSim.nameOf(config)}", wave)(PipelineTestbed(config))
 }

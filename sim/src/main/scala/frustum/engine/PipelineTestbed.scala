@@ -40,6 +40,11 @@ case class PipelineTestbed(config: RasterConfig) extends Component {
   events.io.pulses(PipelineEvent.Drawn) := pipeline.io.drawing.fall(False)
   events.io.pulses(PipelineEvent.SetUp) := pipeline.io.setUp
   events.io.pulses(PipelineEvent.Moved) := pipeline.io.moved
+  private val job = pipeline.rasterizer.setup.io.job
+  private val jobDone = job.valid.pull() && job.ready.pull()
+  private val tileEnd = job.tileEnd.pull()
+  events.io.pulses(PipelineEvent.Missed)  := jobDone && !tileEnd && !pipeline.io.moved
+  events.io.pulses(PipelineEvent.TileEnd) := jobDone && tileEnd
 }
 
 /** What happens in a pipeline, as [[SimEventRecorder]] keeps it; `time` in clocks since reset. */
@@ -47,11 +52,15 @@ final case class PipelineEvent(kind: Int, time: Long)
 
 object PipelineEvent {
 
-  /** A frame or pass starts, its store loaded; its last triangle is drawn; a triangle was set up whole; was moved to a tile. */
+  /** A frame or pass starts, its store loaded; its last triangle is drawn; a triangle was set up whole; was moved to a
+    * tile; has no pixel in a tile that its box touches; no more triangles in a tile.
+    */
   val Start = 0
   val Drawn = 1
   val SetUp = 2
   val Moved = 3
-  val Names = Seq("started", "drawn", "set up", "moved")
+  val Missed = 4
+  val TileEnd = 5
+  val Names = Seq("started", "drawn", "set up", "moved", "missed", "tile ends")
   val Count: Int = Names.length
 }
