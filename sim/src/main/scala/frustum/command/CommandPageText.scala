@@ -1,0 +1,55 @@
+package frustum.command
+
+import frustum.link.{Framer, LinkStatus}
+import frustum.spec._
+
+/** The parts of [[CommandPage]] that are sentences: framing, flow control, status. */
+object CommandPageText {
+  private def hex(v: Int): String = f"0x$v%02X"
+
+  private val example = Command.encode(Command.Draw, Seq(3, 1)).map(hex).mkString(" ")
+
+  val framing: Seq[String] = Seq(
+    "## On the wire",
+    "SPI mode 0, most significant bit first, `host_cs` low while sending; any number of commands in one go, and a " +
+      "command may be spread over several.",
+    s"```\n${hex(Command.Flag)}  opcode  length  payload: length words of two bytes, high byte first  crc: two bytes, high byte first\n```",
+    s"- After the flag, every byte ${hex(Command.Flag)} or ${hex(Command.Escape)} is sent as ${hex(Command.Escape)} and then the byte " +
+      s"xor ${hex(Command.EscapeXor)}. So a flag always starts a command, whatever was lost before it, and flags may repeat as filling.\n" +
+      "- `length` counts 16-bit words and fits the command's shape (below); at most " + s"${Command.MaxWords}.\n" +
+      "- `crc` is CRC-16/CCITT-FALSE (polynomial 0x1021, start 0xFFFF, not reflected, no final xor) over opcode, length and payload " +
+      "before escaping; over the bytes \"123456789\" it is " + f"0x${Command.crc("123456789".map(_.toInt))}%04X.\n" +
+      "- A command takes effect only when all of it has come and its checksum is right. Anything else is dropped and counted " +
+      "as one; the next flag starts afresh.",
+    s"`draw` with 3 vertices and 1 triangle, for example: `$example`."
+  )
+
+  val flow: Seq[String] = Seq(
+    "## Flow control",
+    s"`cts` is high while at least ${Framer.MarginWords} words are free in the FIFO behind the port. Up to " +
+      s"${Framer.BytesAfterRoom} bytes may still follow after it has fallen, so a host that looks at it at least once every " +
+      s"${Framer.BytesAfterRoom} bytes loses nothing. It may stop after any bit and go on later. A host that does not look " +
+      "loses whole commands, each counted.",
+    "`cts` stays low while the decoder waits: `begin` waits for a free bank of the store (one frame may be drawn and one stored), `texels` until " +
+      "nothing is being drawn. So a host that heeds `cts` needs no other synchronisation."
+  )
+
+  val status: Seq[String] = Seq(
+    "## Status",
+    s"`host_miso` answers every select with these ${LinkStatus.Bytes} bytes, again and again, while the host sends; to read " +
+      s"without sending anything, clock out flags (${hex(Command.Flag)}). Counters are 16 bits, low byte first, start at 0 with " +
+      "reset and wrap. A counter is never torn; at most two bytes' time old.",
+    s"""|| byte | content |
+        || --- | --- |
+        || 0 | ${hex(LinkStatus.Magic)} |
+        || 1 | version of this table: ${LinkStatus.Version} |
+        || 2 | bit 0: a frame is being drawn; bit 1: lowest bit of the frames drawn; bit 2: `cts`; bit 3: an error since reset |
+        || 3 | 0 |
+        || 4, 5 | commands accepted |
+        || 6, 7 | commands dropped: checksum, length, opcode, index, region or address wrong; no room; no frame begun |
+        || 8, 9 | vertices refused |
+        || 10, 11 | triangles refused |
+        || 12, 13 | frames incomplete: `draw` counted otherwise |
+        || 14, 15 | frames (passes) drawn |""".stripMargin
+  )
+}
