@@ -38,7 +38,8 @@ object CommandPage {
       Command.all.map(c => Seq(hex(c.opcode), s"[${c.name}](#${c.name})", lengths(c), c.note))
     ),
     "A frame is `begin`, any `state`, `vertices` and `triangles`, then `draw`; vertices come before the triangles that " +
-      "name them, states before `draw`. `texels` may stand anywhere."
+      "name them, states before `draw`. `texels` may stand anywhere. A frame that is incomplete is counted and drawn with what " +
+      "has come."
   )
 
   private def section(c: Command): Seq[String] = Seq(

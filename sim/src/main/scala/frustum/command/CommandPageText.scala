@@ -38,7 +38,7 @@ object CommandPageText {
     "## Status",
     s"`host_miso` answers every select with these ${LinkStatus.Bytes} bytes, again and again, while the host sends; to read " +
       s"without sending anything, clock out flags (${hex(Command.Flag)}). Counters are 16 bits, low byte first, start at 0 with " +
-      "reset and wrap. A counter is never torn; at most two bytes' time old.",
+      "reset and wrap. A counter is never torn, and what is read is at most two bytes' time old.",
     s"""|| byte | content |
         || --- | --- |
         || 0 | ${hex(LinkStatus.Magic)} |

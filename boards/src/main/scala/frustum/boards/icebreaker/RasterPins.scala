@@ -10,7 +10,7 @@ import spinal.lib._
   *   - `clk`: 12 MHz; in a simulation the core clock itself
   *   - `resetn`: low resets, not synchronised
   *   - `host`: command port, SPI mode 0, `cs` active low; `host_miso` gives [[frustum.link.LinkStatus]]
-  *   - `cts`: high while there is room for a whole command
+  *   - `cts`: high while the host may send, see `docs/commands.md`
   *   - `tftMux`: high lets the host drive the display itself, with its `sck`, `mosi`, `tftCs` and `tftDc`
   */
 case class RasterPins() extends Bundle {
