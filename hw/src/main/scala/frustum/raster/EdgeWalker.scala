@@ -13,13 +13,17 @@ case class Span(config: RasterConfig) extends Bundle {
 
 /** Finds the pixels of a triangle in a tile: from the top row down, each row's span, then the end mark.
   *
-  * Each of the three edge functions tracks how many pixels it cuts off its side of the row (left where the function grows
-  * to the right), stepping inwards or outwards from the row above, all three at once. So a row costs two clocks and the
-  * largest lateral move of an edge, and is found while the row before is being drawn. Top-left rule (Pineda 1988, with
-  * integer edge functions at pixel centres): an exact zero is inside for a top or left edge alone.
+  * Each of the three edge functions keeps the outermost pixel of the row that it lets through (the leftmost where the
+  * function grows to the right), stepping inwards or outwards from the row above. The edges take turns at one adder.
+  * Top-left rule (Pineda 1988, with integer edge functions at pixel centres): an exact zero is inside for a top or left
+  * edge alone.
   *
-  * To load, while `idle`: per edge its steps per 1/16 pixel (x then y, edge after edge) and its function in the top row,
-  * at the left column or, where the x step is negative, at `lastColumn`, in 1/256 pixel^2; then `start`.
+  * Clocks: 4 before the first row; per row 4, and 3 for each lateral step of the edge that takes most (up to 2 fewer, as
+  * the row ends with its last edge); while `up` is not ready it waits with the row's span.
+  *
+  * To load, while `idle`: per edge its steps per 1/16 pixel (x then y, edge after edge, never both 0) and, edge after
+  * edge too, each after its steps, its function in the top row, at the left column or, where the x step is negative, at
+  * `lastColumn`, in 1/256 pixel^2; then `start`, with which `lastColumn` and `lastRow` are taken.
   */
 case class EdgeWalker(config: RasterConfig) extends Component {
   val io = new Bundle {
@@ -32,93 +36,111 @@ case class EdgeWalker(config: RasterConfig) extends Component {
     val up     = master Stream (Span(config))
   }
 
-  val cutBits = config.tileLog2Width + 1
-  val width   = RegNext(io.lastColumn.resize(cutBits) + 1)
+  object State extends SpinalEnum { val Idle, Prime, Seek, Show, End = newElement() }
+  val state    = RegInit(State.Idle)
+  val priming  = state === State.Prime
+  val seeking  = state === State.Seek
+  val turning  = priming || seeking
+  val loading  = io.edge.valid
+  val stepIsY  = RegInit(False) toggleWhen io.step.valid
+  val lastColumn = RegNextWhen(io.lastColumn, io.start)
+  val lastRow    = RegNextWhen(io.lastRow, io.start)
+  val row        = Reg(UInt(config.tileLog2Height bits))
 
-  object State extends SpinalEnum { val Idle, Seek, Step, End = newElement() }
-  val state = RegInit(State.Idle)
-  val stepIndex = Counter(6, io.step.valid)
-  val seeking   = state === State.Seek
-  val stepRow   = Bool()
-
-  // What arrives is worked on once, before its edge keeps it.
-  val step      = io.step.payload
-  val amount    = (step.msb ? -step | step).asUInt.resize(16)
-  val slopeSign = RegNextWhen(step.msb, io.step.valid)
-  val slopeZero = RegNextWhen(step === 0, io.step.valid)
-
-  /** One edge. It holds the function at the first pixel that it leaves inside, or, once that pixel can only move
-    * outwards from row to row, at the last one cut off.
-    */
-  case class Edge(index: Int) extends Area {
-    val slope     = RegNextWhen(amount, io.step.valid && stepIndex === 2 * index) // per pixel towards the inside
-    val complete  = io.step.valid && stepIndex === 2 * index + 1
-    val descent   = RegNextWhen(step, complete)                                   // per row
-    val fromRight = RegNextWhen(slopeSign, complete)
-    val flat      = RegNextWhen(slopeZero, complete)
-    val outwards  = RegNextWhen(!step.msb && !slopeZero, complete)
-    val topLeft   = RegNextWhen(!slopeSign && (!slopeZero || !step.msb && step =/= 0), complete)
-
-    val value = Reg(SInt(28 bits))
-    val cut   = Reg(UInt(cutBits bits))
-    val back  = Reg(Bool()) // holds the last one cut off
-
-    val more    = !back && value.msb && cut =/= width && !flat
-    val less    = back && !value.msb && cut =/= 0
-    val turn    = !back && !more && outwards
-    val settled = !more && !less && !turn
-    val outside = flat && value.msb
-
-    val subtract = !stepRow && !more
-    val addend   = (stepRow ? descent | slope.resize(17).asSInt) ^ S(17 bits, default -> subtract)
-    when(io.edge.valid && io.edge.index === index) {
-      value := edgeValue
-      cut := 0
-      back := False
-    } elsewhen (stepRow || seeking && !settled) {
-      value := value + addend + subtract.asUInt.resize(28).asSInt
-      when(!stepRow) {
-        when(more || less) { cut := more ? (cut + 1) | (cut - 1) }
-        back := back || turn
-      }
-    }
+  /** What goes round: from place a over b and c to a again. */
+  case class Ring[T <: Data](kind: HardType[T], turn: Bool) extends Area {
+    val a, b, c = Reg(kind())
+    when(turn) { a := c; b := a; c := b }
+  }
+  // Steps enter at b and values at c; `start` moves the steps on to where their values are.
+  val slope    = Ring(SInt(17 bits), turning || io.start || io.step.valid && !stepIsY) // per pixel to the right
+  val descent  = Ring(SInt(17 bits), turning || io.start || io.step.valid && stepIsY)  // per row
+  when(io.step.valid) {
+    when(!stepIsY) { slope.b := io.step.payload } otherwise { descent.b := io.step.payload }
+  }
+  val turn     = turning || loading
+  val value    = Ring(SInt(28 bits), turn) // at the pixel of `position`, or, if `back`, at the one outside of it
+  val position = Ring(UInt(config.tileLog2Width bits), turn)
+  val back     = Ring(Bool(), turn)        // not yet primed: the value's sixteenths are zero
+  val parity   = Ring(Bool(), turn)        // of the row that the edge works on
+  when(loading) {
+    value.c := io.edge.value >> 4
+    position.c := 0
+    back.c := io.edge.value(3 downto 0) === 0
+    parity.c := False
   }
 
-  // Sixteenths are the same at every pixel centre and are dropped: a zero becomes less where the edge does not own it.
-  val topLeft = Vec(Bool(), 3)
-  val owned   = topLeft(io.edge.index.resized)
-  val edgeValue = (io.edge.value >> 4) - (io.edge.value(3 downto 0) === 0 && !owned).asUInt.resize(28).asSInt
-  val edges = List.tabulate(3)(Edge(_))
-  topLeft.zip(edges).foreach { case (to, edge) => to := edge.topLeft }
+  // Between b and c: whether the edge can move no further. A flat one never moves.
+  val isFlat = slope.b === 0
+  val atEnd  = (slope.b.msb ^ back.b) ? (position.b === 0) | position.b.andR
+  val flat  = RegNextWhen(isFlat, slope.turn)
+  val stop  = RegNextWhen(isFlat || atEnd, turn)
 
-  val row   = Reg(UInt(config.tileLog2Height bits))
-  val spans = Stream(Span(config))
-  def deepest(right: Boolean) =
-    edges.map(e => (e.fromRight === Bool(right)) ? e.cut | U(0, cutBits bits)).reduceBalancedTree((a, b) => (a > b) ? a | b)
-  val cutLeft  = deepest(right = false)
-  val cutRight = deepest(right = true)
-  val some     = !edges.map(_.outside).orR && cutLeft +^ cutRight < width
-  spans.y := row
-  spans.first := cutLeft.resized
-  spans.last := (io.lastColumn - cutRight).resized
-  spans.end := state === State.End
-  spans.valid := state === State.Step && some || state === State.End
-  stepRow := state === State.Step && (spans.ready || !some)
+  // Between c and a: what to do. An edge moves inwards where its value is negative. Once it is inside and can only move
+  // outwards from row to row, it looks at the pixel outside of its own, and moves outwards where that is not negative.
+  val fromRight = slope.c.msb
+  val negative  = value.c.msb
+  val move      = (negative ^ back.c) ? !stop | (!back.c && !negative && !descent.c.msb)
+  val mine      = seeking && parity.c === row.lsb
+  val moves     = mine && move
+  val finishes  = mine && !move
+  val add       = mine && (!move || negative ^ fromRight) // slope or descent; otherwise subtract slope or nothing
+  val shifts    = moves && (negative || back.c)
+  val topLeft   = !fromRight && (!flat || !descent.c.msb)
+
+  // Sixteenths are the same at every pixel centre and are dropped: a zero becomes less where the edge does not own it.
+  val addend = RegNextWhen(moves ? (slope.c ^ S(17 bits, default -> !add)) | (descent.c | S(17 bits, default -> !add)), turn)
+  val carry  = RegNextWhen(!add && !(priming && back.c && !topLeft), turn)
+  val primer = (priming && fromRight) ? lastColumn | U(lastColumn.range -> (shifts && !add))
+  when(turn) {
+    position.a := ((position.c @@ True) + (primer @@ (shifts && add))) >> 1
+    back.a := back.c && !priming || moves && !negative
+    parity.a := parity.c ^ finishes
+    value.b := ((value.a ## True).asSInt + (addend ## carry).asSInt) >> 1
+  }
+
+  // The edges' innermost positions in the row.
+  val shown  = False
+  val clear  = priming || shown
+  val first, last = Reg(UInt(config.tileLog2Width bits))
+  val none   = Reg(Bool()) // an edge lets no pixel through
+  val inner  = (position.c > (fromRight ? last | first)) ^ fromRight
+  when(clear) {
+    first := 0
+    last := lastColumn
+    none := False
+  } elsewhen (finishes) {
+    when(inner && !fromRight) { first := position.c }
+    when(inner && fromRight) { last := position.c }
+    when(negative && !back.c) { none := True }
+  }
+  val some = !none && first <= last
+  io.up.y := row
+  io.up.first := first
+  io.up.last := last
+  io.up.end := state === State.End
+  io.up.valid := state === State.Show && some || state === State.End
+  io.idle := state === State.Idle
 
   switch(state) {
     is(State.Idle) {
-      row := 0
-      when(io.start) { state := State.Seek }
+      row := U(row.range -> true) - 2 // the three edges are primed in what would be the three rows above
+      when(io.start) { state := State.Prime }
     }
-    is(State.Seek) { when(edges.map(_.settled).andR) { state := State.Step } }
-    is(State.Step) {
-      when(stepRow) {
+    is(State.Prime) {
+      row := row + 1
+      when(row.andR) { state := State.Seek }
+    }
+    is(State.Seek) {
+      when(finishes && parity.a =/= row.lsb && parity.b =/= row.lsb) { state := State.Show }
+    }
+    is(State.Show) {
+      when(io.up.ready || !some) {
+        shown := True
         row := row + 1
-        state := (row === io.lastRow) ? State.End | State.Seek
+        state := (row === lastRow) ? State.End | State.Seek
       }
     }
-    is(State.End) { when(spans.ready) { state := State.Idle } }
+    is(State.End) { when(io.up.ready) { state := State.Idle } }
   }
-  io.idle := state === State.Idle && !io.up.valid
-  spans >-> io.up
 }

@@ -1,6 +1,6 @@
 package frustum.raster
 
-import frustum.blackbox.Tech
+import frustum.blackbox.{ComplementingAdder, Tech}
 import frustum.fixed.Multiplier16
 import frustum.spec.{SetupInstruction, SetupProgram, SetupWords}
 import spinal.core._
@@ -113,9 +113,12 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   def control(clock: Int) = controls(clock / 2 - 1)
 
   // Clocks 5 and 6 add the partial products (complemented to subtract), clocks 6 and 7 accumulate.
-  val negate  = phase ? control(5).subtract | control(6).subtract
-  val sum     = (high.io.product.asSInt @@ S(0, 16 bits)) + low.io.product.asSInt.resize(48)
-  val product = RegNext(sum ^ S(48 bits, default -> negate))
+  val complement = phase ? control(5).subtract | control(6).subtract
+  val upperSum   = ComplementingAdder(32, tech)
+  upperSum.io.complement := complement
+  upperSum.io.a := high.io.product.asSInt
+  upperSum.io.b := (low.io.product.asSInt >> 16).resize(32)
+  val product = RegNext(upperSum.io.result @@ (low.io.product(15 downto 0) ^ B(16 bits, default -> complement)).asSInt)
   val accumulator = Reg(SInt(48 bits))
   val start = SInt(48 bits)
   start := accumulator

@@ -14,7 +14,9 @@ import spinal.lib.misc.pipeline._
   *      worse); qn = q 2^e / 2^31 = (1 + f) / 2
   *   1. r = 2 f / (1 + f) from [[frustum.spec.ReciprocalTable]], 16 fraction bits, so 1 / qn = 2 - r
   *   1. s is shifted by the same e: sn, 22 fraction bits; result 2 sn - sn r, where -sn is taken as ~sn so
-  *      that the multipliers add: exact for r = 0, otherwise low by at most 2^-21; cut to 17 fraction bits
+  *      that the multipliers add: low by at most 2^-21; cut to 17 fraction bits. The lower four bits of sn are
+  *      replaced by ones: they need no shifting, a power of two as q stays exact, and the error of cutting
+  *      lies on both sides of zero
   *
   * Widths: |s / q| <= 256 and qn < 1, so |sn| < 256 fits s8.22, and |sn (2 - r)| <= 2 |sn| < 512 fits s9.22
   * whatever the input, so nothing wraps after the shift. Error: relative 2^-16 from r, and 2^-17 repeats from
@@ -88,13 +90,13 @@ case class PerspectiveDivide(tech: Tech) extends Component {
   /** One coordinate: shifted one binary step per node beside the reciprocal, then multiplied by 2 - r. */
   class Quotient(raw: SInt) extends Area {
     val BY8, BY4, BY2 = Payload(SInt(32 bits))
-    val SN = Payload(SInt(31 bits))
+    val SN = Payload(SInt(31 bits)) // the lower four bits count as ones, which centres the error of cutting
     val RESULT = Payload(SInt(TextureCoordinate.Width bits))
 
     line(0)(BY8) := Mux(coarse.by8, raw |<< 8, raw)
     line(1)(BY4) := Mux(line(1)(FOUR), line(1)(BY8) |<< 4, line(1)(BY8))
     line(2)(BY2) := Mux(line(2)(FINE)(1), line(2)(BY4) |<< 2, line(2)(BY4))
-    line(3)(SN) := Mux(line(3)(FINE)(0), line(3)(BY2) |<< 1, line(3)(BY2)) >> 1
+    line(3)(SN) := (Mux(line(3)(FINE)(0), line(3)(BY2) |<< 1, line(3)(BY2)) >> 1) | 15
 
     val high = Multiplier16(tech, signedA = true, signedB = false, add = true)
     val low = Multiplier16(tech, signedA = false, signedB = false)

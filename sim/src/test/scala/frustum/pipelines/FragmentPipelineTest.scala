@@ -190,4 +190,14 @@ class FragmentPipelineTest extends AnyFunSuite {
       Some(0.92)
     )
   }
+  test("a full tile is drawn while the one before is resolved: 0.9 fragments a clock and more") {
+    val perTile = odd.tileWidth * odd.tileHeight
+    var i = 0
+    def everywhere(f: FragmentValues): Unit = {
+      f.x = i % odd.tileWidth; f.y = i / odd.tileWidth % odd.tileHeight; f.q = 1 << 30
+      i += 1
+    }
+    val items = Seq.fill(2)(frame(odd, perTile, everywhere)).flatten
+    check(odd, 14, RenderState(depth = DepthFunction.LessEq), items, Seq(Stalls.Never), Some(0.9))
+  }
 }
