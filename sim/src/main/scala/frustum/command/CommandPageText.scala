@@ -34,22 +34,27 @@ object CommandPageText {
       "nothing is being drawn. So a host that heeds `cts` needs no other synchronisation."
   )
 
+  /** Byte by byte, as [[LinkStatus.select]] gives them. */
+  private val statusBytes = Seq(
+    hex(LinkStatus.Magic),
+    s"version of this table: ${LinkStatus.Version}",
+    "bit 0: a frame is being drawn; bit 1: lowest bit of the frames drawn; bit 2: `cts`; bit 3: an error since reset",
+    "commands accepted",
+    "commands dropped: checksum, length, opcode, index, region or address wrong; no room; no frame begun",
+    "vertices refused",
+    "triangles refused",
+    "frames incomplete: `draw` counted otherwise",
+    "frames (passes) drawn"
+  )
+  require(LinkStatus.Version == 2 && statusBytes.length == LinkStatus.Bytes, "the status has changed: describe it here")
+
   val status: Seq[String] = Seq(
     "## Status",
-    s"`host_miso` answers every select with these ${LinkStatus.Bytes} bytes, again and again, while the host sends; to read " +
-      s"without sending anything, clock out flags (${hex(Command.Flag)}). Counters are 16 bits, low byte first, start at 0 with " +
-      "reset and wrap. A counter is never torn, and what is read is at most two bytes' time old.",
-    s"""|| byte | content |
-        || --- | --- |
-        || 0 | ${hex(LinkStatus.Magic)} |
-        || 1 | version of this table: ${LinkStatus.Version} |
-        || 2 | bit 0: a frame is being drawn; bit 1: lowest bit of the frames drawn; bit 2: `cts`; bit 3: an error since reset |
-        || 3 | 0 |
-        || 4, 5 | commands accepted |
-        || 6, 7 | commands dropped: checksum, length, opcode, index, region or address wrong; no room; no frame begun |
-        || 8, 9 | vertices refused |
-        || 10, 11 | triangles refused |
-        || 12, 13 | frames incomplete: `draw` counted otherwise |
-        || 14, 15 | frames (passes) drawn |""".stripMargin
+    s"`host_miso` answers every select with these ${LinkStatus.Bytes} bytes while the host sends, and goes on with byte 1 after the " +
+      s"last; to read without sending anything, clock out flags (${hex(Command.Flag)}). Counters have ${LinkStatus.CountBits} bits, " +
+      s"start at 0 with reset and wrap at ${1 << LinkStatus.CountBits}: a host that reads them after every frame misses nothing. What is read is at most two " +
+      "bytes' time old.",
+    (Seq("| byte | content |", "| --- | --- |") ++
+      statusBytes.zipWithIndex.map { case (content, at) => s"| $at | $content |" }).mkString("\n")
   )
 }
