@@ -11,15 +11,19 @@ import spinal.core._
   *   whether that operand is two's complement; the product is, if either operand is
   * @param add
   *   the product is a * b + addend modulo 2^32 instead, the addend given with the operands
+  * @param hold
+  *   while `holdA` is high, the operand a registered last is used again
   */
-case class Multiplier16(tech: Tech, signedA: Boolean, signedB: Boolean, add: Boolean = false)
+case class Multiplier16(tech: Tech, signedA: Boolean, signedB: Boolean, add: Boolean = false, hold: Boolean = false)
     extends Component {
   val io = new Bundle {
     val enable = in Bool ()
     val a, b = in Bits (16 bits)
     val addend = add generate in(Bits(32 bits))
+    val holdA = hold generate in(Bool())
     val product = out Bits (32 bits)
   }
+  private val holdA = if (hold) io.holdA else False
 
   tech match {
     case Tech.Ice40 =>
@@ -29,8 +33,8 @@ case class Multiplier16(tech: Tech, signedA: Boolean, signedB: Boolean, add: Boo
       mac.io.B := io.b
       mac.io.C := (if (add) io.addend(31 downto 16) else B(0, 16 bits))
       mac.io.D := (if (add) io.addend(15 downto 0) else B(0, 16 bits))
+      mac.io.AHOLD := holdA
       Seq(
-        mac.io.AHOLD,
         mac.io.BHOLD,
         mac.io.CHOLD,
         mac.io.DHOLD,
@@ -51,7 +55,7 @@ case class Multiplier16(tech: Tech, signedA: Boolean, signedB: Boolean, add: Boo
       io.product := mac.io.O
     case Tech.Generic =>
       def extended(v: Bits, signed: Boolean) = if (signed) v.asSInt.resize(17) else v.asUInt.resize(17).asSInt
-      val a = RegNextWhen(io.a, io.enable)
+      val a = RegNextWhen(io.a, io.enable && !holdA)
       val b = RegNextWhen(io.b, io.enable)
       val product = (extended(a, signedA) * extended(b, signedB)).resize(32)
       val sum = if (add) product + RegNextWhen(io.addend, io.enable).asSInt else product

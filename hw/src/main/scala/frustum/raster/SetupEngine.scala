@@ -96,24 +96,24 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   io.step.valid := executing && phase && (atLeft || atTop)
   io.step.payload := instruction.subtract ? -operandStep | operandStep
 
-  // Clocks 3 and 4 multiply a by b's signed lower half and by its upper half, rounded up to make good for the sign.
+  // Clocks 2 and 3 hand the multipliers a, and b's signed lower half, then its upper half, rounded up to make good for
+  // the sign.
   val b      = RegNextWhen(data, phase)
-  val a      = RegNextWhen(data, !phase)
   val bUpper = RegNext((b(31 downto 16).asUInt + b(15).asUInt).asBits)
-  val bHalf  = phase ? b(15 downto 0).asBits | bUpper
-  val low    = Multiplier16(tech, signedA = false, signedB = true)
-  val high   = Multiplier16(tech, signedA = true, signedB = true)
-  low.io.a := a(15 downto 0).asBits
-  high.io.a := a(31 downto 16).asBits
-  Seq(low, high).foreach { m => m.io.enable := True; m.io.b := bHalf }
+  val bHalf  = phase ? bUpper | b(15 downto 0).asBits
+  val low    = Multiplier16(tech, signedA = false, signedB = true, hold = true)
+  val high   = Multiplier16(tech, signedA = true, signedB = true, hold = true)
+  low.io.a := data(15 downto 0).asBits
+  high.io.a := data(31 downto 16).asBits
+  Seq(low, high).foreach { m => m.io.enable := True; m.io.b := bHalf; m.io.holdA := phase }
 
   // The instruction's control follows: stage n is valid in clocks 2 n and 2 n + 1.
-  val valids   = History(executing, 5, phase, False).tail
-  val controls = History(instruction, 5, phase).tail
+  val valids   = History(executing, 4, phase, False).tail
+  val controls = History(instruction, 4, phase).tail
   def control(clock: Int) = controls(clock / 2 - 1)
 
-  // Clocks 5 and 6 add the partial products (complemented to subtract), clocks 6 and 7 accumulate.
-  val complement = phase ? control(5).subtract | control(6).subtract
+  // Clocks 4 and 5 add the partial products (complemented to subtract), clocks 5 and 6 accumulate.
+  val complement = control(4).subtract
   val upperSum   = ComplementingAdder(32, tech)
   upperSum.io.complement := complement
   upperSum.io.a := high.io.product.asSInt
@@ -122,16 +122,17 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   val accumulator = Reg(SInt(48 bits))
   val start = SInt(48 bits)
   start := accumulator
-  when(!phase && control(6).start =/= Keep.code) {
+  when(phase && control(5).start =/= Keep.code) {
     start := 0
-    start(13) := control(6).start === Round.code || control(6).start === RoundGradient.code && !io.sliver
+    start(13) := control(5).start === Round.code || control(5).start === RoundGradient.code && !io.sliver
   }
-  val addend = phase ? product | (product >> 16).resize(48)
-  accumulator := start + addend + control(6).subtract.asUInt.resize(48).asSInt
+  val addend = phase ? (product >> 16).resize(48) | product
+  val carry  = phase ? control(5).subtract | control(6).subtract
+  accumulator := start + addend + carry.asUInt.resize(48).asSInt
 
-  // Clock 8 hands the result on.
-  val done    = valids(3) && !phase
-  val kind    = control(8).kind
+  // Clock 7 hands the result on.
+  val done    = valids(2) && phase
+  val kind    = control(7).kind
   def is(kinds: Int*) = kinds.map(kind === _).orR
   val gradient = is(GradientX(0).code, GradientY(0).code)
   val fraction = is(Fraction(0).code, Initial(0).code) || gradient && !io.sliver
@@ -139,10 +140,10 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   val toScratch = is(Integer(0).code, Fraction(0).code, Checked(0).code)
   io.result.valid := done && kind =/= Nowhere.code
   io.result.kind := kind
-  io.result.target := control(8).target
+  io.result.target := control(7).target
   io.result.value := value
   scratch.write(
-    address(done ? control(8).target | io.write.word),
+    address(done ? control(7).target | io.write.word),
     done ? value | io.write.data,
     enable = done ? toScratch | io.write.valid
   )
@@ -152,5 +153,5 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   overflow.setWhen(done && is(Checked(0).code) && upper.orR && !upper.andR)
   overflow.clearWhen(io.run.valid)
   io.overflow := overflow
-  io.idle := !running && !executing && !valids.take(4).orR
+  io.idle := !running && !executing && !valids.orR
 }

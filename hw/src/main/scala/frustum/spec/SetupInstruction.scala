@@ -3,7 +3,7 @@ package frustum.spec
 /** One instruction of the set-up engine: a multiply-accumulate of two scratch words, and what becomes of the sum.
   *
   * With words of 32 signed bits, `accumulator = start +- floor(a * b / 2^16)`, 48 bits, wrapping. An instruction takes
-  * two clocks; a result can be read by the fifth instruction after it ([[SetupInstruction.ResultLatency]]).
+  * two clocks; a result can be read by the fourth instruction after it ([[SetupInstruction.ResultLatency]]).
   *
   * `b` must stay below 2^31 - 2^15: the engine multiplies by b's upper half rounded and its lower half signed.
   */
@@ -16,7 +16,7 @@ final case class SetupInstruction(
 )
 
 object SetupInstruction {
-  val ResultLatency = 5
+  val ResultLatency = 4
 
   /** What the accumulator holds before the product is added. */
   sealed abstract class Start(val code: Int)
