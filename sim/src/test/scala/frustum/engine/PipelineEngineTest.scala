@@ -8,7 +8,7 @@ import scala.util.Random
 class PipelineEngineTest extends AnyFunSuite {
   private val odd      = RasterConfig(width = 72, height = 40)
   private val smallest = RasterConfig(
-    width = 40, height = 27, tileLog2Width = 3, tileLog2Height = 3, maxVertices = 22, maxTriangles = 12, textureTexels = 4096
+    width = 40, height = 27, tileLog2Width = 3, tileLog2Height = 3, maxVertices = 200, maxTriangles = 200, textureTexels = 4096
   )
 
   private def simulate(config: RasterConfig, seed: Int, byteStall: Double = 0, pixelStall: Double = 0)(body: PipelineSession => Unit): Unit =
@@ -34,7 +34,7 @@ class PipelineEngineTest extends AnyFunSuite {
     }
 
   test("several passes, where a frame exceeds the store, equal one picture") {
-    val frames = Frames.scene("cube", smallest)
+    val frames = Frames.scene("terrain", smallest, frames = 2)
     assert(frames.forall(_.passes.length > 1), "the store is too large for this test")
     new PipelineEngine(EngineOptions(3, None), byteStall = 0.2, pixelStall = 0.3).render(frames).zip(frames).foreach {
       case (drawn, frame) => Frames.assertEqual(smallest, drawn.image, Frames.model(frame), "seed 3")
