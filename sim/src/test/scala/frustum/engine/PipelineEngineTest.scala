@@ -1,5 +1,6 @@
 package frustum.engine
 
+import frustum.bench.Workloads
 import frustum.host.Driver
 import frustum.spec.{FramePass, RasterConfig, TextureUpload}
 import org.scalatest.funsuite.AnyFunSuite
@@ -108,6 +109,18 @@ class PipelineEngineTest extends AnyFunSuite {
     val drawn  = new PipelineEngine(EngineOptions(1, None)).render(frame).head
     Frames.assertEqual(config, drawn.image, Frames.model(frame.head), "terrain")
     info(s"${drawn.clocks.get} clocks")
+  }
+
+  test("tiles are drawn while others are sent: a full-screen quad, textured and blended, a clock a pixel and little more") {
+    val config = RasterConfig(width = 320, height = 240)
+    val load   = new Workloads(config, 1)
+    simulate(config, 1) { session =>
+      val passes = Seq.fill(2)(load.fullScreen)
+      (Driver.commands(load.texture) ++ passes.flatMap(Driver.commands)).foreach(session.send)
+      val clocks = passes.map(session.take(_, new Array[Int](config.width * config.height)).clocks).last
+      info(f"${clocks.toDouble / (config.width * config.height)}%.3f clocks a pixel")
+      assert(clocks < 1.06 * config.width * config.height)
+    }
   }
 
   test("a pipeline that stands still is told of") {
