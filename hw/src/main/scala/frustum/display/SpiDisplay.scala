@@ -51,8 +51,8 @@ case class SpiDisplay(
   def ends(tile: UInt, log2: Int, pixels: Int): (UInt, UInt) = {
     val first = (tile << log2).resize(16)
     val last  = (tile @@ U((1 << log2) - 1, log2 bits)).resize(16)
-    val edge  = (pixels - 1) >> log2
-    (first, Mux(tile === edge, U(pixels - 1, 16 bits), last))
+    val whole = pixels % (1 << log2) == 0
+    (first, if (whole) last else Mux(tile === pixels >> log2, U(pixels - 1, 16 bits), last))
   }
   val (x0, x1) = ends(io.pixels.tileX, config.tileLog2Width, config.width)
   val (y0, y1) = ends(io.pixels.tileY, config.tileLog2Height, config.height)
@@ -69,16 +69,17 @@ case class SpiDisplay(
   bytes.data  := True
   bytes.value := io.pixels.color(7 downto 0)
   io.pixels.ready := False
-  pause := 0
+  // Zero whenever a pause begins, for the one before it ends with all ones.
+  val paused = (pause +^ 1).msb
 
   switch(state) {
     is(resetting) {
       pause := pause + 1
-      when(pause.andR)(state := settling)
+      when(paused)(state := settling)
     }
     is(settling) {
       pause := pause + 1
-      when(pause.andR)(state := starting)
+      when(paused)(state := starting)
     }
     is(starting) {
       bytes.valid := True

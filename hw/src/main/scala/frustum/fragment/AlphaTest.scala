@@ -5,16 +5,13 @@ import frustum.spec.RasterConfig
 import spinal.core._
 import spinal.lib._
 
-/** Drops fragments whose alpha is below the reference; no latency. A dropped one still waits for the next
-  * stage's ready, which so does not hang on the test's result.
-  */
+/** Drops fragments whose alpha is below the reference; no latency. */
 case class AlphaTest(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val up = slave(Stream(ColoredFragment(config)))
+    val up = slave(Flow(ColoredFragment(config)))
     val state = in(RenderStateWord())
-    val down = master(Stream(ColoredFragment(config)))
+    val down = master(Flow(ColoredFragment(config)))
   }
   io.down.valid := io.up.valid && (io.up.tileEnd || io.up.a >= io.state.alphaRef)
   io.down.payload := io.up.payload
-  io.up.ready := io.down.ready
 }

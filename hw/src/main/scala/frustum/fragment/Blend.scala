@@ -7,7 +7,8 @@ import spinal.core._
 import spinal.lib._
 
 /** Writes pixels to the colour buffer of one tile, in two banks, blended by source alpha where the state says
-  * so; one a clock, latency 2 clocks, never stalls. [[Interlock]] keeps pixels apart that are still being
+  * so; one a clock, latency 2 clocks, never stalls; the depth
+  * test is made meanwhile. [[Interlock]] keeps pixels apart that are still being
   * blended.
   *
   * With w = a + (a >> 4), 0..32, a channel becomes (src w + dst (32 - w) + 16) >> 5, exact at both ends.
@@ -17,6 +18,7 @@ import spinal.lib._
 case class Blend(config: RasterConfig) extends Component {
   val io = new Bundle {
     val up = slave(Flow(PixelWrite(config)))
+    val passed = in Bool () // whether what entered a clock ago is to be written
     val state = in(RenderStateWord())
     val clear = slave(TileClear(config))
     val clearColor = in Bits (16 bits)
@@ -74,7 +76,7 @@ case class Blend(config: RasterConfig) extends Component {
     partial.high := ((terms(3) << 1) +^ terms(2)).resized
     partial.top := terms(4)
   }
-  mixed << fetched.translateWith(mixing).m2sPipe
+  mixed << fetched.takeWhen(io.passed).translateWith(mixing).m2sPipe
 
   memory.io.writeEnable := mixed.valid && !mixed.tileEnd
   memory.io.writeBank := mixed.bank

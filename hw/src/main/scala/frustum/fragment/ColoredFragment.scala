@@ -3,13 +3,12 @@ package frustum.fragment
 import frustum.spec.RasterConfig
 import spinal.core._
 
-/** A coloured fragment on its way to the tests: RGB565, five bits of alpha, depth 0..65535. With `tileEnd` it
+/** A coloured fragment on its way to the tests: RGB565 and five bits of alpha; its depth joins it there. With `tileEnd` it
   * is no pixel but the mark that ends the tile, and passes every test.
   */
 case class ColoredFragment(config: RasterConfig) extends Bundle {
   val x = UInt(config.tileLog2Width bits)
   val y = UInt(config.tileLog2Height bits)
-  val z = UInt(16 bits)
   val r = UInt(5 bits)
   val g = UInt(6 bits)
   val b = UInt(5 bits)

@@ -8,8 +8,8 @@ import frustum.texture.Texel
 import spinal.core._
 import spinal.lib._
 
-/** Colour of the fragment from texel and vertex colour: OpenGL's texture environments; one a clock, latency 2
-  * clocks.
+/** Colour of the fragment from texel and vertex colour: OpenGL's texture environments; one a clock, latency 1
+  * clock; the result is to be registered by who takes it.
   *
   * One product per channel serves all modes: (t * (c + c[7]) + 128) >> 8 with t the texel's 5 or 6 bits and c
   * the vertex's 8. It is exact at c = 0 and c = 255; Replace puts 255 for c, ColorOnly puts all ones for t,
@@ -20,13 +20,11 @@ case class Combine(config: RasterConfig, tech: Tech) extends Component {
     val up = slave(Stream(TexturedFragment(config)))
     val state = in(RenderStateWord())
     val down = master(Stream(ColoredFragment(config)))
-    val busy = out Bool ()
   }
 
   case class Operands() extends Bundle {
     val x = UInt(config.tileLog2Width bits)
     val y = UInt(config.tileLog2Height bits)
-    val z = UInt(16 bits)
     val texel = Texel()
     val r, g, b, a = UInt(9 bits) // factors, 0..256
     val tileEnd = Bool()
@@ -41,10 +39,8 @@ case class Combine(config: RasterConfig, tech: Tech) extends Component {
       val from = io.up.payload
       next.x := from.attributes.x
       next.y := from.attributes.y
-      next.z := from.attributes.z
       next.tileEnd := from.attributes.tileEnd
       next.texel.assignFromBits(from.texel.asBits | colorOnly #* widthOf(from.texel))
-      def factor(c: UInt, one: Bool): UInt = (c | (one #* 8).asUInt) +^ (c.msb || one).asUInt
       next.r := factor(from.attributes.r, replace)
       next.g := factor(from.attributes.g, replace)
       next.b := factor(from.attributes.b, replace)
@@ -59,7 +55,6 @@ case class Combine(config: RasterConfig, tech: Tech) extends Component {
       val from = operands.payload
       next.x := from.x
       next.y := from.y
-      next.z := from.z
       next.r := product(from.texel.r, from.r)
       next.g := product(from.texel.g, from.g)
       next.b := product(from.texel.b, from.b)
@@ -67,7 +62,12 @@ case class Combine(config: RasterConfig, tech: Tech) extends Component {
       next.tileEnd := from.tileEnd
       next
     }
-    .m2sPipe(collapsBubble = false)
+
+  /** c + c[7] of the clamped c, or 256 for `one`; the lower bits get their clamping from a register's reset. */
+  def factor(c: UInt, one: Bool): UInt = {
+    val full = one || c(8) && !c(7)
+    Mux(c(8) || one, (full ## B(0, 8 bits)).asUInt, c.take(8).asUInt +^ c(7).asUInt)
+  }
 
   /** (t * factor + 128) >> 8, t by its lower three bits and its upper ones side by side, a row of additions
     * for each bit from the lowest; since factor is 256 at most and every sum is halved, none exceeds 511.
@@ -93,5 +93,4 @@ case class Combine(config: RasterConfig, tech: Tech) extends Component {
   }
 
   io.down << combined
-  io.busy := operands.valid || combined.valid
 }

@@ -9,15 +9,17 @@ import spinal.lib._
 /** Depth test against a 16-bit depth buffer of one tile, in two banks that change at a tile's end mark; one
   * fragment a clock, latency 1 clock, never stalls.
   *
-  * A fragment reads its word when it enters and writes it a clock later: [[Interlock]] keeps fragments of one
-  * pixel apart.
+  * A fragment reads its word when it enters, which tells its bank, and writes it a clock later, when `z` is
+  * its depth and `passed` the result: [[Interlock]] keeps fragments of one pixel apart.
   */
 case class DepthTest(config: RasterConfig) extends Component {
   val io = new Bundle {
     val up = slave(Flow(ColoredFragment(config)))
     val state = in(RenderStateWord())
     val clear = slave(TileClear(config))
-    val down = master(Flow(PixelWrite(config)))
+    val down = master(Flow(PixelWrite(config))) // as they enter, not tested yet
+    val z = in UInt (16 bits)
+    val passed = out Bool () // marks always pass
     val busy = out Bool ()
   }
 
@@ -35,17 +37,18 @@ case class DepthTest(config: RasterConfig) extends Component {
   val depth = memory.io.readData.asUInt
   val passing = io.state.depthFunction
   // Two subtractions: synthesis makes a comparison for equality of many levels of logic.
-  val nearer = (stored.z -^ depth).msb
-  val farther = (depth -^ stored.z).msb
+  val nearer = (io.z -^ depth).msb
+  val farther = (depth -^ io.z).msb
   val pass = Mux(nearer, passing(0), Mux(farther, passing(2), passing(1)))
   memory.io.writeEnable := stored.valid && !stored.tileEnd && pass && io.state.depthWrite
   memory.io.writeBank := storedBank
   memory.io.writeAddress := stored.address
-  memory.io.writeData := stored.z.asBits
+  memory.io.writeData := io.z.asBits
 
-  io.down.valid := stored.valid && (stored.tileEnd || pass)
-  io.down.payload.assignSomeByName(stored.payload.asInstanceOf[Bundle])
-  io.down.address := stored.address
-  io.down.bank := storedBank
+  io.passed := stored.tileEnd || pass
+  io.down.valid := io.up.valid
+  io.down.payload.assignSomeByName(io.up.payload.asInstanceOf[Bundle])
+  io.down.address := io.up.address
+  io.down.bank := bank
   io.busy := stored.valid
 }

@@ -23,7 +23,6 @@ case class Interlock(config: RasterConfig) extends Component {
     val state = in(RenderStateWord())
     val clear = slave(TileClear(config))
     val down = master(Flow(ColoredFragment(config)))
-    val busy = out Bool ()
   }
   private def place(f: ColoredFragment): Bits = f.y.take(2) ## f.x.take(3)
 
@@ -44,5 +43,4 @@ case class Interlock(config: RasterConfig) extends Component {
   when(held.fire && held.tileEnd) { resolves := True }
 
   io.down << held.toFlowFire
-  io.busy := held.valid
 }

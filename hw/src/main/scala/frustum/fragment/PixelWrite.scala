@@ -3,7 +3,7 @@ package frustum.fragment
 import frustum.spec.RasterConfig
 import spinal.core._
 
-/** A visible fragment for one bank of the tile buffer, or the mark that this bank's tile is complete. */
+/** A fragment for one bank of the tile buffer, or the mark that this bank's tile is complete. */
 case class PixelWrite(config: RasterConfig) extends Bundle {
   val address = UInt(config.tileLog2Width + config.tileLog2Height bits)
   val bank = UInt(1 bits)

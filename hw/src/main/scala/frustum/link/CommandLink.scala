@@ -32,7 +32,7 @@ case class CommandLink(config: RasterConfig, depth: Int = 256, dropWhenFull: Boo
   io.drawing         := decoder.io.drawing
 
   def counter(event: Bool): UInt = {
-    val count = RegInit(U(0, 16 bits))
+    val count = RegInit(U(0, LinkStatus.CountBits bits))
     when(event)(count := count + 1)
     count
   }

@@ -16,8 +16,8 @@ case class CommandPins() extends Bundle with IMasterSlave {
   * A byte waits in a register of the SCK domain while a toggle crosses to the core; it leaves `bytes` three to four
   * core clocks after its last bit and must be taken before the next.
   *
-  * MISO answers every frame with the 16 bytes of [[LinkStatus]], again and again. A byte is asked for while the one
-  * before it is being sent, so a host slower than that reads values at most two bytes old; 16-bit counters are never torn.
+  * MISO answers every frame with the bytes of [[LinkStatus]]. A byte is asked for while the one before it is being
+  * sent, so its value is at most two bytes old.
   */
 case class SpiSlave() extends Component {
   val io = new Bundle {
@@ -35,9 +35,9 @@ case class SpiSlave() extends Component {
   val rising = new ClockingArea(SpiSlave.domain(io.pins, RISING)) {
     val shift = Reg(Bits(7 bits))
     val bit   = Reg(UInt(3 bits)) init 0
-    val index = Reg(UInt(4 bits)) init 0 // bytes of this frame, modulo 16
+    val index = Reg(UInt(3 bits)) init 0 // bytes of this frame, modulo 8
     val ended = Reg(Bool()) init False // with this edge a byte ended
-    val first = Reg(Bool()) init False // the last byte that ended was the frame's first, or any 16th after it
+    val first = Reg(Bool()) init False // the last byte that ended was the frame's first, or any 8th after it
     shift := shift(5 downto 0) ## io.pins.mosi
     bit   := bit + 1
     ended := bit === 7
@@ -72,13 +72,8 @@ case class SpiSlave() extends Component {
   io.bytes.payload := byte
 
   // When byte n has arrived, byte n + 1 of the answer is on the wire, n + 2 is prepared, and `index` is n + 1.
-  val upper = Reg(Bits(8 bits))
-  val ask   = rising.index.addTag(crossClockDomain) + 1
-  when(arrived) {
-    val (low, high) = io.status.select(ask(3 downto 1))
-    upper      := high
-    statusByte := Mux(ask.lsb, upper, low)
-  }
+  val ask = rising.index.addTag(crossClockDomain) + 1
+  when(arrived)(statusByte := io.status.select(ask))
 }
 
 object SpiSlave {

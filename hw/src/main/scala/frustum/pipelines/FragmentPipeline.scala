@@ -32,37 +32,34 @@ case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component 
 
   val divide = PerspectiveDivide(tech)
   val texture = TextureUnit(config, tech)
-  val waiting = StreamFifo(FragmentAttributes(config), FragmentPipeline.InFlight)
+  val waiting = AttributeMemory(config)
   val combine = Combine(config, tech)
-  val alpha = AlphaTest(config)
   val lock = Interlock(config)
+  val alpha = AlphaTest(config)
   val depth = DepthTest(config)
   val blend = Blend(config)
   val resolver = Resolver(config)
 
-  val (coordinates, attributes) = StreamFork2(io.up, synchronous = true)
-  divide.io.up << coordinates.translateWith {
+  divide.io.up << io.up.translateWith {
     val coordinate = ProjectiveCoordinate()
-    coordinate.assignSomeByName(coordinates.payload.asInstanceOf[Bundle])
+    coordinate.assignSomeByName(io.up.payload.asInstanceOf[Bundle])
     coordinate
   }
   texture.io.up << divide.io.down
-  waiting.io.push << attributes.translateWith(FragmentAttributes(config, attributes.payload))
+  waiting.io.push << io.up.toFlowFire
+  waiting.io.fetch := texture.io.fetch
 
-  // The memory shows a fragment after 2 clocks, long before its texel comes, so the texel alone says when to go
-  // on. A join that made the texel wait for valid would stop the bubbles of the divide.
-  val texel = texture.io.down
-  assert(!texel.valid || waiting.io.pop.valid, "a texel has overtaken its fragment")
-  waiting.io.pop.ready := texel.fire
-  texel.ready := combine.io.up.ready
-  combine.io.up.valid := texel.valid
-  combine.io.up.payload.attributes := waiting.io.pop.payload
-  combine.io.up.payload.texel := texel.payload
+  combine.io.up.arbitrationFrom(texture.io.down)
+  combine.io.up.payload.attributes := waiting.io.attributes
+  combine.io.up.payload.texel := texture.io.down.payload
 
-  alpha.io.up << combine.io.down
-  lock.io.up << alpha.io.down
-  depth.io.up << lock.io.down
+  lock.io.up << combine.io.down
+  waiting.io.fetchDepth := lock.io.down.valid
+  alpha.io.up << lock.io.down
+  depth.io.up << alpha.io.down
+  depth.io.z := waiting.io.z
   blend.io.up << depth.io.down
+  blend.io.passed := depth.io.passed
 
   for (
     state <- Seq(
@@ -86,13 +83,6 @@ case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component 
   for (clear <- Seq(lock.io.clear, depth.io.clear, blend.io.clear)) clear.assignAllByName(resolver.io.clear)
   io.pixels << resolver.io.pixels
 
-  val inFlight =
-    waiting.io.occupancy =/= 0 || combine.io.busy || lock.io.busy || depth.io.busy || blend.io.busy
+  val inFlight = !waiting.io.empty || depth.io.busy || blend.io.busy
   io.busy := RegNext(io.up.fire || inFlight) init False
-}
-
-object FragmentPipeline {
-
-  /** Room for the fragments between the perspective divide and the texel: nine, and a power of two. */
-  val InFlight = 16
 }

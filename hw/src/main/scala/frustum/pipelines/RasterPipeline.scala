@@ -20,7 +20,7 @@ import spinal.lib._
   * @param slots        triangles kept set up from tile to tile, see [[frustum.raster.TriangleSetup]]
   * @param dropWhenFull see [[frustum.link.Framer]]: true behind a source that cannot wait, such as an SPI slave
   */
-case class RasterPipeline(config: RasterConfig, slots: Int = 4, dropWhenFull: Boolean = true, tech: Tech) extends Component {
+case class RasterPipeline(config: RasterConfig, slots: Int = 6, dropWhenFull: Boolean = true, tech: Tech) extends Component {
   val io = new Bundle {
     val bytes  = slave(Stream(Bits(8 bits)))
     val pixels = master(Stream(ResolvedPixel(config)))

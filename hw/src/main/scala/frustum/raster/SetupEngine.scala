@@ -1,6 +1,6 @@
 package frustum.raster
 
-import frustum.blackbox.Tech
+import frustum.blackbox.{ComplementingAdder, Tech}
 import frustum.fixed.Multiplier16
 import frustum.spec.{SetupInstruction, SetupProgram, SetupWords}
 import spinal.core._
@@ -18,13 +18,13 @@ case class SetupResult() extends Bundle {
   *
   * Between runs (`idle`) the scratch memory belongs to `write` and `read`; data is on `readData` one clock after `read`.
   *
-  * @param slots triangles that the scratch memory holds, 64 words each
+  * @param slots triangles that the scratch memory holds, beside the words that all share
   */
 case class SetupEngine(slots: Int, tech: Tech) extends Component {
   import SetupInstruction._
 
   val sectionBits = log2Up(SetupProgram.sections.length)
-  val addressBits = log2Up(slots) + 6
+  val words = SetupWords.SharedWords + slots * SetupWords.SlotWords
   val io = new Bundle {
     val run      = slave Flow (UInt(sectionBits bits))
     val slot     = in UInt (log2Up(slots) bits)
@@ -73,12 +73,16 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   val wordB = word(6, 6 bits).asUInt
 
   // Clock 0 reads b, clock 1 a. An edge's walk starts at the side from which its function grows.
-  val scratch  = Mem(SInt(32 bits), slots * SetupWords.SlotWords)
-  scratch.init((0 until slots * SetupWords.SlotWords).map { n =>
-    S(SetupWords.constants.getOrElse(n % SetupWords.SlotWords, 0), 32 bits)
-  })
+  val scratch = Mem(SInt(32 bits), words)
+  scratch.init((0 until words).map(n => S(SetupWords.constants.getOrElse(n + SetupWords.Shared, 0), 32 bits)))
+  val bases = Vec((0 until slots).map(n => U(SetupWords.SharedWords + n * SetupWords.SlotWords, log2Up(words) bits)))
+  val slotBase = bases(io.slot)
+  def address(word: UInt): UInt = {
+    val shared = word >= SetupWords.Shared
+    (shared ? U((-SetupWords.Shared) & ((1 << log2Up(words)) - 1), log2Up(words) bits) | slotBase) + word
+  }
   val readWord = UInt(6 bits)
-  val data     = scratch.readSync(io.slot @@ readWord, readUnderWrite = dontCare)
+  val data     = scratch.readSync(address(readWord), readUnderWrite = dontCare)
   val atLeft   = wordA === SetupWords.Left
   val atTop    = wordA === SetupWords.Top
   readWord := io.read
@@ -109,9 +113,12 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   def control(clock: Int) = controls(clock / 2 - 1)
 
   // Clocks 5 and 6 add the partial products (complemented to subtract), clocks 6 and 7 accumulate.
-  val negate  = phase ? control(5).subtract | control(6).subtract
-  val sum     = (high.io.product.asSInt @@ S(0, 16 bits)) + low.io.product.asSInt.resize(48)
-  val product = RegNext(sum ^ S(48 bits, default -> negate))
+  val complement = phase ? control(5).subtract | control(6).subtract
+  val upperSum   = ComplementingAdder(32, tech)
+  upperSum.io.complement := complement
+  upperSum.io.a := high.io.product.asSInt
+  upperSum.io.b := (low.io.product.asSInt >> 16).resize(32)
+  val product = RegNext(upperSum.io.result @@ (low.io.product(15 downto 0) ^ B(16 bits, default -> complement)).asSInt)
   val accumulator = Reg(SInt(48 bits))
   val start = SInt(48 bits)
   start := accumulator
@@ -135,7 +142,7 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   io.result.target := control(8).target
   io.result.value := value
   scratch.write(
-    io.slot @@ (done ? control(8).target | io.write.word),
+    address(done ? control(8).target | io.write.word),
     done ? value | io.write.data,
     enable = done ? toScratch | io.write.valid
   )

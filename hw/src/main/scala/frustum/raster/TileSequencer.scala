@@ -21,7 +21,7 @@ case class TileSequencer(config: RasterConfig) extends Component {
     val drained = in Bool () // no job is under way
   }
 
-  object State extends SpinalEnum { val Idle, Tile, Scan, Vertices, Hand, End, Drain = newElement() }
+  object State extends SpinalEnum { val Idle, Tile, Scan, Hand, End, Drain = newElement() }
   val state    = RegInit(State.Idle)
   val tile     = Reg(TilePosition())
   val triangle = Reg(UInt(11 bits)) // the next to be asked for
@@ -34,14 +34,13 @@ case class TileSequencer(config: RasterConfig) extends Component {
     box(5 + 4 downto 5).asUInt <= tile.tileY && box(4 downto 0).asUInt >= tile.tileY
   val found  = looking && io.store.rsp.valid && hit
   val job    = Reg(TileJob(config))
-  val asked  = (state === State.Vertices) ? job.triangle.resize(11) | triangle
   val ended  = triangle === frame.triangleCount
 
   io.store.cmd.valid := False
   io.store.cmd.write := False
   io.store.cmd.data := 0
   io.store.cmd.address := frame.bank @@
-    (U(layout.triangles, layout.bankAddressBits bits) + (asked << 1) + (state =/= State.Vertices).asUInt).resize(layout.bankAddressBits)
+    (U(layout.triangles, layout.bankAddressBits bits) + (triangle << 1) + 1).resize(layout.bankAddressBits)
   io.tile.valid := state === State.Tile
   io.tile.payload := tile
   io.job.valid := state === State.Hand || state === State.End
@@ -66,7 +65,7 @@ case class TileSequencer(config: RasterConfig) extends Component {
         job.triangle := (triangle - 1).resized
         job.tileEnd := False
         job.state := box(31 downto 28).asUInt
-        state := State.Vertices
+        state := State.Hand
       } otherwise {
         io.store.cmd.valid := !ended
         when(io.store.cmd.fire) {
@@ -77,14 +76,6 @@ case class TileSequencer(config: RasterConfig) extends Component {
           job.tileEnd := True
           state := State.End
         }
-      }
-    }
-    is(State.Vertices) {
-      io.store.cmd.valid := !looking
-      looking := io.store.cmd.fire
-      when(looking) {
-        for (v <- 0 to 2) job.vertices(v) := box(20 - 10 * v, 10 bits).asUInt
-        state := State.Hand
       }
     }
     is(State.Hand) { when(io.job.ready) { state := State.Scan } }

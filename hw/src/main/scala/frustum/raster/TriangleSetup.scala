@@ -2,7 +2,7 @@ package frustum.raster
 
 import frustum.blackbox.Tech
 import frustum.link.StoreBus
-import frustum.spec.{Domain, RasterConfig, SetupInstruction, SetupProgram, SetupWords, StoreLayout}
+import frustum.spec.{RasterConfig, SetupInstruction, SetupProgram, SetupWords, StoreLayout}
 import spinal.core._
 import spinal.lib._
 
@@ -13,7 +13,6 @@ case class TileJob(config: RasterConfig) extends Bundle {
   val tileY    = UInt(5 bits)
   val triangle = UInt(10 bits)
   val state    = UInt(4 bits)
-  val vertices = Vec(UInt(10 bits), 3)
 }
 
 /** Sets triangles up for the tiles they touch, one ahead of the interpolator.
@@ -21,11 +20,11 @@ case class TileJob(config: RasterConfig) extends Bundle {
   * A triangle met for the first time in a frame is fetched and set up whole. It then keeps its slot until another
   * triangle takes it, so that in further tiles only the edge functions and the planes' first values are worked out.
   *
-  * @param slots triangles kept, a power of two
+  * @param slots triangles kept
   */
 case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends Component {
   import SetupWords._
-  require(isPow2(slots) && slots >= 2 && slots <= 32, s"TriangleSetup: $slots slots; a power of two from 2 to 32")
+  require(slots >= 3 && slots <= 32, s"TriangleSetup: $slots slots; from 3 (two are drawn, one is set up) to 32")
   val layout = StoreLayout(config)
   val io = new Bundle {
     val flush = in Bool () // a new frame: the triangles kept are no more
@@ -35,7 +34,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     val write = master Flow (CoefficientWrite(slots))
     val spans = master Stream (Span(config))
     val token = master Stream (DrawToken(config, slots))
-    val busy  = out Bool () // a triangle or a tile's end has not been drawn yet
+    val busy  = out Bool () // tokens are under way
     val setUp = out Bool () // pulses when a triangle has been set up whole
     val moved = out Bool () // pulses when a triangle has been moved to a tile
   }
@@ -45,10 +44,11 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   val fetch  = SetupFetch(layout)
   val writer = CoefficientWriter(slots)
   val job    = io.job.payload
-  val slot   = job.triangle.resize(log2Up(slots))
+  val slot   = Reg(UInt(log2Up(slots) bits)) init 0
   val parity = Reg(Bool())
   engine.io.slot := slot
-  fetch.io.vertices := job.vertices
+  fetch.io.triangle := job.triangle
+  fetch.io.upper := False
   fetch.io.bank := io.bank
   fetch.io.store <> io.store
   fetch.io.readData := engine.io.readData
@@ -61,28 +61,23 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   writer.io.parity := parity
   io.write << writer.io.write
 
+  // The slots' triangles; the slot that was set up longest ago is taken next.
   val tags   = Vec.fill(slots)(Reg(UInt(10 bits)))
   val known  = Vec.fill(slots)(RegInit(False))
-  val cached = known(slot) && tags(slot) === job.triangle
+  val hits   = Vec(tags.zip(known).map { case (tag, valid) => valid && tag === job.triangle })
+  val cached = hits.orR
+  val next   = Reg(UInt(log2Up(slots) bits)) init 0
   when(io.flush) { known.foreach(_ := False) }
 
-  // The triangle that is being drawn. Its slot must not be set up anew meanwhile.
-  val token     = Stream(DrawToken(config, slots))
-  val drawn     = Stream(DrawToken(config, slots))
-  val slotDrawn = drawn.valid && !drawn.tileEnd && drawn.slot === slot
+  // The token being drawn and the one after it. Their slots must not be set up anew meanwhile.
+  val token   = Stream(DrawToken(config, slots))
+  val waiting = token.m2sPipe()
+  val drawn   = waiting.m2sPipe()
+  def holds(s: Stream[DrawToken]) = s.valid && !s.tileEnd
+  val nextUsed = Seq(waiting, drawn).map(s => holds(s) && s.slot === next).orR
+  val bothUsed = holds(waiting) && holds(drawn) // so are both entries for first values
   io.token << drawn
-
-  // A tile's end waits behind the triangle that is being drawn, so that meanwhile the next tile's first can be set up.
-  val endWaits = RegInit(False)
-  val next     = Stream(DrawToken(config, slots))
-  next.valid   := endWaits || token.valid && !token.tileEnd
-  next.payload := token.payload
-  next.tileEnd.removeAssignments() := endWaits
-  token.ready  := !endWaits && (token.tileEnd || next.ready)
-  when(next.fire) { endWaits := False }
-  when(token.fire && token.tileEnd) { endWaits := True }
-  drawn << next.m2sPipe(holdPayload = true)
-  io.busy := endWaits || drawn.valid
+  io.busy := waiting.valid || drawn.valid
 
   import SetupProgram.{SectionArea, SectionAttributes, SectionEdges, SectionGradients, SectionRebase, SectionSteps}
 
@@ -119,9 +114,13 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     engine.io.write.data := data
   }
 
-  // The area, shifted left until bit 29 is set.
-  val area = Reg(SInt(32 bits))
-  when(engine.io.result.valid && engine.io.result.target === SetupWords.Area) { area := engine.io.result.value }
+  // The area, to be shifted left until bit 29 is set.
+  val area     = Reg(UInt(30 bits))
+  val backward = Reg(Bool()) // the triangle faces away
+  when(engine.io.result.valid && engine.io.result.target === SetupWords.Area) {
+    area := engine.io.result.value.asUInt.resized
+    backward := engine.io.result.value.msb
+  }
 
   // The tile's last column and row on the screen.
   private def lastIn(tile: UInt, log2: Int, size: Int) =
@@ -136,7 +135,8 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   def inTileX(x: UInt) = (job.tileX @@ x).resize(10)
   def inTileY(y: UInt) = (job.tileY @@ y).resize(10)
   pixel := inTileX(U(0, config.tileLog2Width bits))
-  val position = ((pixel << 4).intoSInt.resize(17) - engine.io.readData.resize(17)).resize(32)
+  fetch.io.pixel := pixel
+  val position = fetch.io.write.data
 
   object State extends SpinalEnum {
     val Idle, Fetch, Area, Facing, Normalise, WriteArea, WriteShift, WriteShift4, Check, ReadX,
@@ -169,9 +169,12 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
           token.valid := True
           io.job.ready := token.ready
         } elsewhen (cached) {
+          slot := OHToUInt(hits)
           state := State.ReadX
-        } elsewhen (!slotDrawn) {
-          known(slot) := False
+        } elsewhen (!nextUsed) {
+          slot := next
+          next := (next === slots - 1) ? U(0) | next + 1
+          known(next) := False
           fetch.io.start := True
           state := State.Fetch
         }
@@ -181,24 +184,20 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     is(State.Area) { run(SectionArea, State.Facing) }
     is(State.Facing) {
       state := State.Normalise
-      when(area < Domain.MinArea) { area := Domain.MinArea }
-      when(area <= 0) {
+      when(backward || area === 0) {
         io.job.ready := True
         state := State.Idle
       }
     }
     is(State.Normalise) {
-      when(area(29)) {
+      when(area.msb || shift === MaxShift) {
         state := State.WriteArea
-      } elsewhen (area(29 downto 26) === 0) {
-        area := area |<< 4
-        shift := shift + 4
       } otherwise {
         area := area |<< 1
         shift := shift + 1
       }
     }
-    is(State.WriteArea) { write(AreaNormal, area | 1); state := State.WriteShift }
+    is(State.WriteArea) { write(AreaNormal, (area | (1 << 29) | 1).intoSInt.resize(32)); state := State.WriteShift }
     is(State.WriteShift) { write(Shift, oneHot); state := State.WriteShift4 }
     is(State.WriteShift4) {
       oneHotAmount := sliver ? (shift - 10) | (shift + 4)
@@ -234,7 +233,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     is(State.Walk) { walker.io.start := True; seen := False; state := State.Look }
     is(State.Look) {
       engine.io.read := X0
-      when(seen) { state := State.WritePixelX } elsewhen (walker.io.up.valid) {
+      when(seen) { when(!bothUsed) { state := State.WritePixelX } } elsewhen (walker.io.up.valid) {
         // the end mark, without a span before it
         when(walker.io.up.end) { io.job.ready := True; state := State.Idle }
       }
@@ -242,12 +241,14 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     is(State.WritePixelX) {
       engine.io.read := Y0
       pixel := inTileX(firstX)
-      write(PixelX_16, position |<< 16)
+      fetch.io.upper := True
+      write(PixelX_16, position)
       state := State.WritePixelY
     }
     is(State.WritePixelY) {
       pixel := inTileY(firstY)
-      write(PixelY_16, position |<< 16)
+      fetch.io.upper := True
+      write(PixelY_16, position)
       run(SectionRebase, State.Hand)
     }
     is(State.Hand) {

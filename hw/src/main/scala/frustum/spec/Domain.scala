@@ -12,7 +12,7 @@ object Domain {
   /** Repeats of a texture across one triangle. */
   val MaxRepeats = 256
 
-  /** Twice the area, in 1/256 pixel^2, below which barycentric coordinates are taken as if it were this much:
+  /** Twice the area, in 1/256 pixel^2, below which barycentric coordinates are taken as if it were this much more:
     * colours and texels of such a triangle stay between its vertices' but drift towards vertex 0.
     */
   val MinArea = 16

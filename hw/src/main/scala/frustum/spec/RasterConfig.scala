@@ -8,7 +8,7 @@ package frustum.spec
 final case class RasterConfig(
     width: Int = 240,
     height: Int = 320,
-    tileLog2Width: Int = 5,
+    tileLog2Width: Int = 4,
     tileLog2Height: Int = 4,
     maxVertices: Int = 1024,
     maxTriangles: Int = 1024,

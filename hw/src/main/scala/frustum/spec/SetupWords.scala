@@ -1,11 +1,16 @@
 package frustum.spec
 
-/** The words of a triangle's slot in the set-up engine's scratch memory. What a later step does not need is reused. */
+/** The words that the set-up engine's programs name: first those of a triangle's slot, then those that all slots share.
+  * In the scratch memory the shared ones come first, then slot after slot.
+  */
 object SetupWords {
-  val SlotWords = 64
+  val SlotWords = 38
+  val SharedWords = 25
+  /** First shared word. */
+  val Shared = 39
   val Planes    = 8
 
-  // Kept while the triangle is cached. Positions in 1/16 pixel relative to the centre of pixel (0, 0);
+  // The slot, kept while the triangle is cached. Positions in 1/16 pixel relative to the centre of pixel (0, 0);
   // "16" marks values held times 2^16, so that a product with a plain integer is a plain integer.
   val X0 = 0; val Y0 = 1
   val DX1_16 = 2; val DY1_16 = 3; val DX2_16 = 4; val DY2_16 = 5
@@ -23,15 +28,16 @@ object SetupWords {
   def delta2(p: Int): Int = 16 + 3 * p
 
 
-  // Used by the set-up alone.
-  val DX1 = 38; val DX2 = 39
+  // Shared: used by the set-up alone.
+  val DX1 = 56; val DX2 = 57
   def s(v: Int): Int    = 40 + v
   def t(v: Int): Int    = 43 + v
   /** Twice the mantissa of 1/w, then 1/w itself with 31 fractional bits. */
   def q(v: Int): Int    = 46 + v
   /** 2^(30 - (largest exponent - exponent)). */
   def scale(v: Int): Int = 49 + v
-  /** The area shifted to 2^29..2^30, plus one so that its reciprocal stays below 2. */
+  /** The area shifted to 2^29..2^30, or by [[MaxShift]], with bit 29 set; plus one, so that its reciprocal stays below 2. */
+  val MaxShift = 25
   val AreaNormal = 52
   /** 2^shift and 2^(shift + 4) (14 less for a sliver), shift being that of the area. */
   val Shift = 53; val Shift4 = 54
@@ -39,7 +45,7 @@ object SetupWords {
   val L1X = 40; val L1Y = 41; val L2X = 42; val L2Y = 49
   val Temporary = Seq(44, 45, 46, 47)
 
-  // Used by the move to a tile: positions relative to vertex 0.
+  // Shared: used by the move to a tile, positions relative to vertex 0.
   /** The tile's left and right columns and its top row, 1/16 pixel. */
   val Left = 56; val Right = 57; val Top = 58
   /** First pixel, times 2^16. */
@@ -47,7 +53,8 @@ object SetupWords {
   val Lambda1 = 58; val Lambda2 = 59
   val Normal1 = 54; val Normal2 = 55
 
-  // Constants, present in every slot from the start.
+  // Shared: constants.
+  val Nothing = 39
   /** 1 with 30 fractional bits. */
   val One = 60
   /** 1 with 16 fractional bits: adds a plain integer to the accumulator. */

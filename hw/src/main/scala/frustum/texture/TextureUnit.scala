@@ -18,6 +18,7 @@ case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
     val state = in(RenderStateWord())
     val texels = slave(Stream(TexelWrite()))
     val down = master(Stream(Texel()))
+    val fetch = out Bool () // a texel is being read, which comes the clock after
     val busy = out Bool ()
   }
 
@@ -45,5 +46,6 @@ case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
   io.texels.ready := !fetched.valid
 
   io.down << fetched.translateWith(Texel.decode(memory.io.readData, io.state.rgba4444))
+  io.fetch := read.fire
   io.busy := indexed.valid || fetched.valid
 }

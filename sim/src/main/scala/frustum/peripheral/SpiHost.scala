@@ -72,10 +72,10 @@ final class SpiHost(pins: CommandPins, halfPeriod: Long, cts: () => Boolean, lat
 
 object SpiHost {
 
-  /** The counters among the 16 bytes of [[SpiHost.status]]. */
+  /** The counters among the bytes of [[SpiHost.status]]. */
   def counters(status: Seq[Int]): LinkCounters = {
     require(status.length == LinkStatus.Bytes && status.head == LinkStatus.Magic, s"no status: ${status.mkString(" ")}")
-    val Seq(a, d, v, t, i, n) = (4 until 16 by 2).map(at => status(at) | status(at + 1) << 8)
+    val Seq(a, d, v, t, i, n) = status.drop(3)
     LinkCounters(a, d, v, t, i, n)
   }
 }

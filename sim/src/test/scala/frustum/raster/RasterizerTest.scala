@@ -147,6 +147,6 @@ class RasterizerTest extends AnyFunSuite {
     val config = RasterConfig(width = 72, height = 40)
     val seed   = 7
     val r      = new Random(seed)
-    check(config, 4, Seq(randomPass(r, config, 0, 12), randomPass(r, config, 1, 30)), Seq(0.0, 0.4), seed)
+    check(config, 6, Seq(randomPass(r, config, 0, 5), randomPass(r, config, 1, 30), randomPass(r, config, 2, 3)), Seq(0.0, 0.4), seed)
   }
 }

@@ -2,7 +2,7 @@ package frustum.model.link
 
 import frustum.spec.RasterConfig
 
-/** The counters a host reads on MISO, in the order of [[frustum.link.LinkStatus]], each modulo 65536. */
+/** The counters a host reads on MISO, in the order of [[frustum.link.LinkStatus]], each modulo 256. */
 final case class LinkCounters(
     accepted: Int, dropped: Int, verticesRefused: Int, trianglesRefused: Int, incomplete: Int, drawn: Int
 )
@@ -21,7 +21,7 @@ final class LinkModel(config: RasterConfig) {
 
   /** @param drawn jobs done so far */
   def counters(drawn: Int): LinkCounters = {
-    def wrap(count: Long) = (count & 0xffff).toInt
+    def wrap(count: Long) = (count & 0xff).toInt
     LinkCounters(
       wrap(decoder.accepted),
       wrap(framer.dropped + decoder.refused),

@@ -4,9 +4,9 @@ import frustum.spec._
 import frustum.spec.SetupInstruction._
 import frustum.spec.SetupWords._
 
-/** Bit-exact triangle set-up: runs [[SetupProgram]] on one triangle's slot, without the hardware's timing. */
+/** Bit-exact triangle set-up: runs [[SetupProgram]] on one triangle, without the hardware's timing. */
 final class TriangleSetup {
-  private val word = new Array[Int](SlotWords)
+  private val word = new Array[Int](Shared + SharedWords)
   SetupWords.constants.foreach { case (at, value) => word(at) = value }
 
   private var accumulator = 0L
@@ -26,9 +26,8 @@ final class TriangleSetup {
     fetch(v0, v1, v2)
     run(SetupProgram.area)
     word(Area) > 0 && {
-      val area  = scala.math.max(word(Area), Domain.MinArea)
-      val shift = java.lang.Integer.numberOfLeadingZeros(area) - 2
-      word(AreaNormal) = area << shift | 1
+      val shift = scala.math.min(java.lang.Integer.numberOfLeadingZeros(word(Area)) - 2, MaxShift)
+      word(AreaNormal) = word(Area) << shift | 1 << 29 | 1
       word(Shift) = 1 << shift
       word(Shift4) = 1 << (shift + 4)
       run(SetupProgram.attributes)
