@@ -15,6 +15,7 @@ final class PinsEngine(options: EngineOptions, panel: Panel = Panel.Ili9341) ext
     val config = frames.head.config
     EngineSim.run(PinsEngine.compile(config, panel, options.wave), options.wave, options.seed) { dut =>
       val session = new PinsSession(dut)
+      session.run(PinsEngine.DisplayStartClocks)
       session.send(frames.head.textures.flatMap(Driver.commands).flatten, wait = true)
       frames.map { frame =>
         val bytes  = frame.passes.flatMap(Driver.commands).flatten
@@ -30,6 +31,10 @@ final class PinsEngine(options: EngineOptions, panel: Panel = Panel.Ili9341) ext
 }
 
 object PinsEngine {
+
+  /** The display's start, its pauses shortened, is over after so many clocks: frames are not to be charged with it. */
+  val DisplayStartClocks = 10000
+
   def compile(config: RasterConfig, panel: Panel, wave: Option[Path] = None): SimCompiled[PinsTestbed] =
     EngineSim.compile(s"Pins_${panel.name}_${EngineSim.nameOf(config)}", wave)(PinsTestbed(config, panel))
 }

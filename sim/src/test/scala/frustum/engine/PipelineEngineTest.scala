@@ -1,5 +1,6 @@
 package frustum.engine
 
+import frustum.bench.Workloads
 import frustum.host.Driver
 import frustum.spec.{FramePass, RasterConfig, TextureUpload}
 import org.scalatest.funsuite.AnyFunSuite
@@ -8,7 +9,7 @@ import scala.util.Random
 class PipelineEngineTest extends AnyFunSuite {
   private val odd      = RasterConfig(width = 72, height = 40)
   private val smallest = RasterConfig(
-    width = 40, height = 27, tileLog2Width = 3, tileLog2Height = 3, maxVertices = 22, maxTriangles = 12, textureTexels = 4096
+    width = 40, height = 27, tileLog2Width = 3, tileLog2Height = 3, maxVertices = 200, maxTriangles = 200, textureTexels = 4096
   )
 
   private def simulate(config: RasterConfig, seed: Int, byteStall: Double = 0, pixelStall: Double = 0)(body: PipelineSession => Unit): Unit =
@@ -34,7 +35,7 @@ class PipelineEngineTest extends AnyFunSuite {
     }
 
   test("several passes, where a frame exceeds the store, equal one picture") {
-    val frames = Frames.scene("cube", smallest)
+    val frames = Frames.scene("terrain", smallest, frames = 2)
     assert(frames.forall(_.passes.length > 1), "the store is too large for this test")
     new PipelineEngine(EngineOptions(3, None), byteStall = 0.2, pixelStall = 0.3).render(frames).zip(frames).foreach {
       case (drawn, frame) => Frames.assertEqual(smallest, drawn.image, Frames.model(frame), "seed 3")
@@ -108,6 +109,18 @@ class PipelineEngineTest extends AnyFunSuite {
     val drawn  = new PipelineEngine(EngineOptions(1, None)).render(frame).head
     Frames.assertEqual(config, drawn.image, Frames.model(frame.head), "terrain")
     info(s"${drawn.clocks.get} clocks")
+  }
+
+  test("tiles are drawn while others are sent: a full-screen quad, textured and blended, a clock a pixel and little more") {
+    val config = RasterConfig(width = 320, height = 240)
+    val load   = new Workloads(config, 1)
+    simulate(config, 1) { session =>
+      val passes = Seq.fill(2)(load.fullScreen)
+      (Driver.commands(load.texture) ++ passes.flatMap(Driver.commands)).foreach(session.send)
+      val clocks = passes.map(session.take(_, new Array[Int](config.width * config.height)).clocks).last
+      info(f"${clocks.toDouble / (config.width * config.height)}%.3f clocks a pixel")
+      assert(clocks <= 1.10 * config.width * config.height)
+    }
   }
 
   test("a pipeline that stands still is told of") {
