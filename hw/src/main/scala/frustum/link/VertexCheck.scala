@@ -19,13 +19,13 @@ case class VertexCheck() extends Component {
 
   // A field of n bits that may hold -2^(n-1) + 1 to 2^(n-1) - 1: its spare upper bits repeat the sign, and the most
   // negative value is refused, which for texture coordinates takes both words.
-  val low8     = word(7 downto 0) === 0
-  val zero14   = low8 && word(13 downto 8) === 0
+  val low7     = word(6 downto 0) === 0
+  val zero14   = low7 && word(13 downto 7) === 0
   val zero     = zero14 && word(15 downto 14) === 0
   val position = word(15) =/= word(14) || (word(15) && zero14)
-  val signs    = word(10 downto 8)
+  val signs    = word(10 downto 7)
   val texture  = !signs.andR && signs.orR
-  val lowest   = RegNextWhen(signs.andR && low8, io.word.valid && !io.second)
+  val lowest   = RegNextWhen(signs.andR && low7, io.word.valid && !io.second)
 
   val bad = io.pair.mux(
     0       -> position,

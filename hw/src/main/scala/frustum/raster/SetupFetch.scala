@@ -40,14 +40,23 @@ case class SetupFetch(layout: StoreLayout) extends Component {
   val state  = RegInit(State.Idle)
   val vertex = Reg(UInt(2 bits))
   val step   = Reg(UInt(4 bits))
-  def perStep[T <: Data](of: Step => T): T = Vec(steps.map(of))(step.resized)
   val lastVertex = vertex === 2
+
+  // What the step does: read one clock ahead.
+  val nextVertex = UInt(2 bits)
+  val nextStep   = UInt(4 bits)
+  nextVertex := vertex
+  nextStep := step
+  vertex := nextVertex
+  step := nextStep
+  val table  = Mem(StepWord(), (0 until 64).map(n => StepWord.of(n / 16, n % 16)))
+  val action = table.readSync(nextVertex @@ nextStep)
 
   // Store reads: the vertices' indices, the three exponents, then word after word of each vertex.
   val vertices = Vec.fill(3)(Reg(UInt(10 bits)))
   val index    = vertices(vertex.resized).resize(layout.bankAddressBits)
   val awaiting = RegInit(False) clearWhen io.store.rsp.valid
-  val wanted   = (state === State.Exponents) ? U(ExponentWord, 3 bits) | perStep(s => U(s.word, 3 bits))
+  val wanted   = (state === State.Exponents) ? U(ExponentWord, 3 bits) | action.word
   io.store.cmd.valid := (state === State.Vertices || state === State.Exponents || state === State.Read) && !awaiting
   io.store.cmd.write := False
   io.store.cmd.address := io.bank @@ ((index |<< 2) + index + wanted)
@@ -65,38 +74,33 @@ case class SetupFetch(layout: StoreLayout) extends Component {
   val largest   = Reg(UInt(5 bits))
   val arriving  = io.store.rsp.payload(31 downto 27).asUInt
 
-  val stepReadAhead = UInt(4 bits)
-  stepReadAhead := (state === State.Write) ? (step + 1) | step
-  io.read := Nothing
-  when(vertex =/= 0) { io.read := Vec(steps.map(s => U(s.origin.getOrElse(Nothing), 6 bits)))(stepReadAhead.resized) }
+  io.read := (state === State.Write) ? action.nextOrigin | action.origin
 
   // The field, scaled, less vertex 0's.
   val centre = word(31 downto 16).asSInt - 8 // pixel centres become multiples of 16
   val behind = largest - exponents(vertex)
-  io.scale := perStep(s => Bool(s.field == Field.Scale))
+  io.scale := action.field === Field.Scale.id
   io.scaleShift := (behind > 30) ? U(0, 5 bits) | (30 - behind)
-  val field = perStep { s =>
-    s.field match {
-      case Field.Position => centre.resize(32)
-      case Field.Z        => word(31 downto 16).asUInt.resize(32).asSInt |<< 15
-      case Field.Q        => word(31 downto 16).asUInt.resize(32).asSInt |<< 1
-      case Field.Color    => word(31 downto 24).asUInt.resize(32).asSInt |<< 7
-      case _              => word(24 downto 0).asSInt.resize(32) |<< 6
-    }
-  }
+  val field = action.field.mux(
+    Field.Position.id -> centre.resize(32),
+    Field.Z.id        -> (word(31 downto 16).asUInt.resize(32).asSInt |<< 15),
+    Field.Q.id        -> (word(31 downto 16).asUInt.resize(32).asSInt |<< 1),
+    Field.Color.id    -> (word(31 downto 24).asUInt.resize(32).asSInt |<< 7),
+    default           -> (word(24 downto 0).asSInt.resize(32) |<< 6)
+  )
   val working    = state === State.Write
   val minuend    = working ? field | (io.pixel << 4).intoSInt.resize(32)
   val difference = minuend - io.readData
-  val raise      = working ? (perStep(s => Bool(s.upper)) && vertex =/= 0) | io.upper
-  io.write.valid := working && perStep(s => Bool(s.field != Field.Skip))
-  io.write.word := Vec((0 to 2).map(v => perStep(s => U(s.targets(v), 6 bits))))(vertex.resized)
+  val raise      = working ? action.upper | io.upper
+  io.write.valid := working && action.field =/= Field.Skip.id
+  io.write.word := action.target
   io.write.data := raise ? (difference |<< 16) | difference
 
   io.done := False
   switch(state) {
     is(State.Idle) {
-      vertex := 0
-      step := 0
+      nextVertex := 0
+      nextStep := 0
       largest := 0
       when(io.start) { state := State.Vertices }
     }
@@ -110,25 +114,54 @@ case class SetupFetch(layout: StoreLayout) extends Component {
       when(io.store.rsp.valid) {
         exponents(vertex) := arriving
         when(arriving > largest) { largest := arriving }
-        vertex := lastVertex ? U(0) | vertex + 1
+        nextVertex := lastVertex ? U(0) | vertex + 1
         when(lastVertex) { state := State.Read }
       }
     }
     is(State.Read) { when(io.store.cmd.fire) { state := State.Wait } }
     is(State.Wait) { when(io.store.rsp.valid) { state := State.Write } }
     is(State.Write) {
-      step := step + 1
-      when(perStep(s => Bool(s.take))) { word := word |<< 8 }
-      when(perStep(s => Bool(lastOfWord(s)))) { state := State.Read }
-      when(step === steps.length - 1) {
-        step := 0
-        vertex := vertex + 1
+      nextStep := step + 1
+      when(action.take) { word := word |<< 8 }
+      when(action.lastOfWord) { state := State.Read }
+      when(action.lastOfVertex) {
+        nextStep := 0
+        nextVertex := vertex + 1
         when(lastVertex) {
           state := State.Idle
           io.done := True
         }
       }
     }
+  }
+}
+
+/** A step of [[SetupFetch.steps]] for one vertex, as the table holds it. */
+case class StepWord() extends Bundle {
+  val target, origin, nextOrigin = UInt(6 bits)
+  val field                      = UInt(3 bits)
+  val word                       = UInt(3 bits)
+  val upper, take                = Bool()
+  val lastOfWord, lastOfVertex   = Bool()
+}
+
+object StepWord {
+  import SetupFetch._
+  def of(vertex: Int, number: Int): StepWord = {
+    val known = vertex < 3 && number < steps.length
+    val s     = steps(if (known) number else 0)
+    def originOf(n: Int) = if (vertex == 0 || n >= steps.length) Nothing else steps(n).origin.getOrElse(Nothing)
+    val w = StepWord()
+    w.target := s.targets(if (known) vertex else 0)
+    w.origin := originOf(number)
+    w.nextOrigin := originOf(number + 1)
+    w.field := s.field.id
+    w.word := s.word
+    w.upper := Bool(s.upper && vertex > 0)
+    w.take := Bool(s.take)
+    w.lastOfWord := Bool(number + 1 >= steps.length || steps(number + 1).word != s.word)
+    w.lastOfVertex := Bool(number + 1 >= steps.length)
+    w
   }
 }
 
@@ -178,9 +211,4 @@ object SetupFetch {
     plane(4, Field.Color, PlaneA)
   )
   val ExponentWord = 2
-
-  private def lastOfWord(s: Step): Boolean = {
-    val next = steps.indexWhere(_ eq s) + 1
-    next == steps.length || steps(next).word != s.word
-  }
 }

@@ -5,7 +5,7 @@ import frustum.spec._
 import org.scalatest.funsuite.AnyFunSuite
 
 class TftControllerTest extends AnyFunSuite {
-  private val config = RasterConfig()
+  private val config = RasterConfig(tileLog2Width = 5)
 
   private def started(panel: Panel): TftController = {
     val tft = new TftController(panel)
