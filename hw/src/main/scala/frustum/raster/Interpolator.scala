@@ -27,14 +27,14 @@ case class CoefficientWrite(slots: Int) extends Bundle {
 object Coefficient {
   // entries of a slot
   val Initial = 0 // and 1: one is read while the other is written
-  // left and by four to the left are complements: their negative, less one
-  val Right = 2; val Left = 3; val Left4 = 4; val Right4 = 5; val Down = 6
+  // the step to the left is a complement: its negative, less one
+  val Right = 2; val Left = 3; val Down = 4
 }
 
 /** Moves the attribute planes from pixel to pixel: one move a clock, a fragment wherever a span is.
   *
   * Rows are walked to and fro. From the end of one row the move goes down and then sideways to the near end of the next,
-  * by fours and ones, so its cost is the edge's lateral move. Coefficients lie in memory, one entry per kind of move, so
+  * so its cost is the edge's lateral move, which the edge walker takes longer for. Coefficients lie in memory, one entry per kind of move, so
   * that an attribute costs an adder and its register.
   */
 case class Interpolator(config: RasterConfig, slots: Int) extends Component {
@@ -68,18 +68,14 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   val drawing  = state === State.Draw
   val target   = leftwards ? span.last | span.first
   val goal     = (leftwards && !starting) ? span.first | span.last
-  val distance = (drawing ? goal | target).intoSInt -^ x.intoSInt
-  val back     = distance.msb
-  val far      = !drawing && (back ? (distance <= -4) | (distance >= 4))
-  val sideways = far ? U(4, 3 bits) | U(1, 3 bits)
+  val back     = (drawing ? goal | target) < x
   val nextX = UInt(config.tileLog2Width bits)
   val nextY = UInt(config.tileLog2Height bits)
   val moves = Stream(Move())
-  nextX := back ? (x - sideways) | (x + sideways)
+  nextX := back ? (x - 1) | (x + 1)
   nextY := y
   moves.valid := io.spans.valid
-  moves.entry := (far ? (back ? U(Coefficient.Left4, 3 bits) | U(Coefficient.Right4, 3 bits))
-    | (back ? U(Coefficient.Left, 3 bits) | U(Coefficient.Right, 3 bits)))
+  moves.entry := back ? U(Coefficient.Left, 3 bits) | U(Coefficient.Right, 3 bits)
   moves.slot := io.token.slot
   moves.clear := False
   moves.emit := drawing || nextX === target
@@ -126,7 +122,7 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
 
   // The coefficients of the move are read, then added.
   val read       = moves.m2sPipe()
-  val complement = read.entry === Coefficient.Left || read.entry === Coefficient.Left4
+  val complement = read.entry === Coefficient.Left
   val widths = Seq.fill(4)(32) ++ Seq.fill(4)(16)
   val planes = for ((width, plane) <- widths.zipWithIndex) yield new Area {
     val memory = Mem(SInt(width bits), slots * 8)

@@ -50,6 +50,7 @@ case class SetupFetch(layout: StoreLayout) extends Component {
   vertex := nextVertex
   step := nextStep
   val table  = Mem(StepWord(), (0 until 64).map(n => StepWord.of(n / 16, n % 16)))
+  table.addAttribute("ram_style", "block")
   val action = table.readSync(nextVertex @@ nextStep)
 
   // Store reads: the vertices' indices, the three exponents, then word after word of each vertex.

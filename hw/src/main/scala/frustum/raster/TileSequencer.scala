@@ -33,7 +33,8 @@ case class TileSequencer(config: RasterConfig) extends Component {
   val hit = box(15 +  4 downto 15).asUInt <= tile.tileX && box(10 + 4 downto 10).asUInt >= tile.tileX &&
     box(5 + 4 downto 5).asUInt <= tile.tileY && box(4 downto 0).asUInt >= tile.tileY
   val found  = looking && io.store.rsp.valid && hit
-  val job    = Reg(TileJob(config))
+  val hitTriangle = Reg(UInt(10 bits))
+  val hitState    = Reg(UInt(4 bits))
   val ended  = triangle === frame.triangleCount
 
   io.store.cmd.valid := False
@@ -44,7 +45,11 @@ case class TileSequencer(config: RasterConfig) extends Component {
   io.tile.valid := state === State.Tile
   io.tile.payload := tile
   io.job.valid := state === State.Hand || state === State.End
-  io.job.payload := job
+  io.job.tileEnd := state === State.End
+  io.job.tileX := tile.tileX
+  io.job.tileY := tile.tileY
+  io.job.triangle := hitTriangle
+  io.job.state := hitState
   io.frame.ready := False
   looking := False
 
@@ -56,15 +61,12 @@ case class TileSequencer(config: RasterConfig) extends Component {
     }
     is(State.Tile) {
       triangle := 0
-      job.tileX := tile.tileX
-      job.tileY := tile.tileY
       when(io.tile.ready) { state := State.Scan }
     }
     is(State.Scan) {
       when(found) {
-        job.triangle := (triangle - 1).resized
-        job.tileEnd := False
-        job.state := box(31 downto 28).asUInt
+        hitTriangle := (triangle - 1).resized
+        hitState := box(31 downto 28).asUInt
         state := State.Hand
       } otherwise {
         io.store.cmd.valid := !ended
@@ -72,10 +74,7 @@ case class TileSequencer(config: RasterConfig) extends Component {
           triangle := triangle + 1
           looking := True
         }
-        when(ended && !looking) {
-          job.tileEnd := True
-          state := State.End
-        }
+        when(ended && !looking) { state := State.End }
       }
     }
     is(State.Hand) { when(io.job.ready) { state := State.Scan } }
