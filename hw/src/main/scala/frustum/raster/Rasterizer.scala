@@ -17,7 +17,7 @@ case class Rasterizer(config: RasterConfig, slots: Int, tech: Tech) extends Comp
   val layout = StoreLayout(config)
   val io = new Bundle {
     val frame = slave Stream (FrameJob())
-    /** Clients of the scene store: sequencer, set-up, render state. */
+    /** Clients of the scene store, the most urgent first: set-up, render state, sequencer. */
     val stores   = Vec(master(StoreBus(layout)), 3)
     val tile     = master Stream (TilePosition())
     val state    = out(RenderStateWord())
@@ -40,7 +40,7 @@ case class Rasterizer(config: RasterConfig, slots: Int, tech: Tech) extends Comp
   setup.io.write >> interpolator.io.write
   interpolator.io.down >> io.down
 
-  Seq(sequencer.io.store, setup.io.store, loader.io.store).zip(io.stores).foreach { case (from, to) => from <> to }
+  Seq(setup.io.store, loader.io.store, sequencer.io.store).zip(io.stores).foreach { case (from, to) => from <> to }
   Seq(setup.io.bank, loader.io.bank).foreach(_ := io.frame.bank)
   Seq(setup.io.flush, loader.io.flush).foreach(_ := flush)
   sequencer.io.drained :=

@@ -64,13 +64,15 @@ case class TileSequencer(config: RasterConfig) extends Component {
       when(io.tile.ready) { state := State.Scan }
     }
     is(State.Scan) {
+      // Reads are asked for come what may, so that the store's address hangs on registers alone; the one that follows a
+      // hit, or the last triangle, is not looked at.
+      io.store.cmd.valid := True
       when(found) {
         hitTriangle := (triangle - 1).resized
         hitState := box(31 downto 28).asUInt
         state := State.Hand
       } otherwise {
-        io.store.cmd.valid := !ended
-        when(io.store.cmd.fire) {
+        when(io.store.cmd.fire && !ended) {
           triangle := triangle + 1
           looking := True
         }

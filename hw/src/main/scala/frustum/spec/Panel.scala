@@ -67,5 +67,5 @@ object Panel {
   case object St7789
       extends Panel("st7789", portrait = 0, landscape = Exchange | MirrorX, extra = Seq(PanelCommand(InversionOn)))
 
-  val all: Seq[Panel] = Seq(Ili9341, St7789)
+  def all: Seq[Panel] = Seq(Ili9341, St7789)
 }

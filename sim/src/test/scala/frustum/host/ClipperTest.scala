@@ -54,9 +54,9 @@ class ClipperTest extends AnyFunSuite {
   }
 
   test("the guard band holds the widest screen") {
-    val wide = new Clipper(RasterConfig(width = 1024, height = 512))
+    val wide = new Clipper(RasterConfig(width = 1024, height = 512, tileLog2Width = 5))
     val p = wide.clip(IndexedSeq(clipVertex(-9, -9, 0, 1), clipVertex(9, -9, 0, 1), clipVertex(0, 30, 0, 1)))
-    val viewport = new Viewport(RasterConfig(width = 1024, height = 512))
+    val viewport = new Viewport(RasterConfig(width = 1024, height = 512, tileLog2Width = 5))
     assert(p.map(viewport.pack(_, (0, 0))).forall(_.fault.isEmpty))
   }
 

@@ -32,8 +32,8 @@ class CoverageJudgeTest extends AnyFunSuite {
   }
 
   test("pixels outside the pass's region are extra") {
-    val part    = scene.copy(region = TileRegion(0, 0, 0, 2))
-    val outside = truth.count(_.x >= 32)
+    val part    = scene.copy(region = TileRegion(0, 0, 0, config.tilesY - 1))
+    val outside = truth.count(_.x >= config.tileWidth)
     assert(CoverageJudge.judge(part, truth, config) == CoverageVerdict(truth.length - outside, 0, outside, 0))
   }
 }
