@@ -37,7 +37,7 @@ case class RasterPipeline(config: RasterConfig, slots: Int = 6, dropWhenFull: Bo
 
   link.io.bytes << io.bytes
   (rasterizer.io.stores :+ link.io.store).zip(store.io.clients).foreach { case (client, port) => client <> port }
-  link.io.texels >> fragments.io.texels
+  link.io.texels.validPipe() >> fragments.io.texels
   // The resolver takes a tile's position when the tile is drawn; the rasterizer goes on to the next long before.
   rasterizer.io.tile.m2sPipe().m2sPipe() >> fragments.io.tile
   rasterizer.io.down >> fragments.io.up

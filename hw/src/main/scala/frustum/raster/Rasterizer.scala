@@ -33,7 +33,7 @@ case class Rasterizer(config: RasterConfig, slots: Int, tech: Tech) extends Comp
 
   sequencer.io.frame << io.frame
   sequencer.io.tile >> io.tile
-  sequencer.io.job >-> setup.io.job
+  sequencer.io.job.halfPipe() >> setup.io.job
   setup.io.token >> loader.io.up
   loader.io.down >> interpolator.io.token
   setup.io.spans.queue(1 << config.tileLog2Height) >> interpolator.io.spans

@@ -71,7 +71,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
 
   // The token being drawn and the one after it. Their slots must not be set up anew meanwhile.
   val token   = Stream(DrawToken(config, slots))
-  val waiting = token.m2sPipe()
+  val waiting = token.halfPipe() // cuts the way of ready
   val drawn   = waiting.m2sPipe()
   def holds(s: Stream[DrawToken]) = s.valid && !s.tileEnd
   val nextUsed = Seq(waiting, drawn).map(s => holds(s) && s.slot === next).orR
