@@ -17,7 +17,7 @@ class PassSplitterTest extends AnyFunSuite {
     test(
       s"teapot in a store of $maxVertices vertices and $maxTriangles triangles: nothing lost, nothing twice"
     ) {
-      val small = RasterConfig(maxVertices = maxVertices, maxTriangles = maxTriangles)
+      val small = RasterConfig(maxVertices = maxVertices, maxTriangles = maxTriangles, tileLog2Width = 5)
       val whole = prepare(Scenes.teapot())
       val split = prepare(Scenes.teapot(), config = small, frame = 3)
       assert(whole.passes.length == 1)

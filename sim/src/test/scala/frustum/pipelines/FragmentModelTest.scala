@@ -6,7 +6,7 @@ import frustum.spec._
 import org.scalatest.funsuite.AnyFunSuite
 
 class FragmentModelTest extends AnyFunSuite {
-  private val config = RasterConfig()
+  private val config = RasterConfig(tileLog2Width = 5)
 
   test("a fragment is drawn, tested and resolved") {
     val model = new FragmentModel(config, new Array[Int](config.textureTexels))
