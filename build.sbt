@@ -38,7 +38,6 @@ lazy val sim = (project in file("sim"))
     buildInfoPackage := "frustum",
     libraryDependencies ++= Seq(
       "com.github.spinalhdl" %% "spinalhdl-sim" % spinalVersion,
-      "de.javagl" % "obj" % "0.4.0",
       "org.joml" % "joml" % "1.10.8",
       "com.github.scopt" %% "scopt" % "4.1.0",
       "me.tongfei" % "progressbar" % "0.10.1",

@@ -14,24 +14,8 @@ case class ComplementingAdder(width: Int, tech: Tech) extends Component {
 
   tech match {
     case Tech.Generic => io.result := (io.a + io.b) ^ S(width bits, default -> io.complement)
-    case Tech.Ice40   =>
-      var carry: Bool = False
-      val bits = for (i <- 0 until width) yield {
-        val cell = LogicCell(ComplementingAdder.Parity)
-        cell.io.I0 := io.complement
-        cell.io.I1 := io.a(i)
-        cell.io.I2 := io.b(i)
-        cell.io.I3 := carry
-        if (i < width - 1) {
-          val next = CarryCell()
-          next.io.I0 := io.a(i)
-          next.io.I1 := io.b(i)
-          next.io.CI := carry
-          carry = next.io.CO
-        }
-        cell.io.O
-      }
-      io.result := Cat(bits).asSInt
+    case Tech.Ice40 =>
+      io.result := LogicCell.chain(width, LogicCell(ComplementingAdder.Parity), io.complement, io.a, io.b).asSInt
   }
 }
 

@@ -15,24 +15,8 @@ case class ConditionalAdder(width: Int, tech: Tech) extends Component {
 
   tech match {
     case Tech.Generic => io.result := Mux(io.condition, io.a + io.b, io.a)
-    case Tech.Ice40   =>
-      var carry: Bool = False
-      val bits = for (i <- 0 until width) yield {
-        val cell = LogicCell.sumOrFirst
-        cell.io.I0 := io.condition
-        cell.io.I1 := io.a(i)
-        cell.io.I2 := io.b(i)
-        cell.io.I3 := carry
-        if (i < width - 1) {
-          val next = CarryCell()
-          next.io.I0 := io.a(i)
-          next.io.I1 := io.b(i)
-          next.io.CI := carry
-          carry = next.io.CO
-        }
-        cell.io.O
-      }
-      io.result := Cat(bits).asUInt
+    case Tech.Ice40 =>
+      io.result := LogicCell.chain(width, LogicCell.sumOrFirst, io.condition, io.a, io.b).asUInt
   }
 }
 
@@ -48,6 +32,26 @@ case class LogicCell(init: Int) extends BlackBox {
 }
 
 object LogicCell {
+
+  /** A chain of adder cells, one a bit: `cell` sees the control at I0, the operands at I1 and I2, the carry at I3. */
+  def chain(width: Int, cell: => LogicCell, control: Bool, a: BitVector, b: BitVector): Bits = {
+    var carry: Bool = False
+    Cat(for (i <- 0 until width) yield {
+      val logic = cell
+      logic.io.I0 := control
+      logic.io.I1 := a(i)
+      logic.io.I2 := b(i)
+      logic.io.I3 := carry
+      if (i < width - 1) {
+        val next = CarryCell()
+        next.io.I0 := a(i)
+        next.io.I1 := b(i)
+        next.io.CI := carry
+        carry = next.io.CO
+      }
+      logic.io.O
+    })
+  }
 
   /** I0 ? I1 ^ I2 ^ I3 : I1 */
   def sumOrFirst: LogicCell = LogicCell((0 until 16).map { i =>
