@@ -4,18 +4,6 @@ import frustum.spec.{RasterConfig, SetupWords}
 import spinal.core._
 import spinal.lib._
 
-/** What starts the drawing of a triangle's part in a tile, or ends the tile.
-  *
-  * The planes' values at the first pixel of the first span, whose column is `x`, lie in the slot's entry `parity`.
-  */
-case class DrawToken(config: RasterConfig, slots: Int) extends Bundle {
-  val tileEnd = Bool()
-  val state   = UInt(4 bits) // render state index
-  val slot    = UInt(log2Up(slots) bits)
-  val parity  = Bool()
-  val x       = UInt(config.tileLog2Width bits)
-}
-
 /** One 32-bit coefficient of a plane (16 bits for the colours). */
 case class CoefficientWrite(slots: Int) extends Bundle {
   val plane = UInt(3 bits)
@@ -34,8 +22,8 @@ object Coefficient {
 /** Moves the attribute planes from pixel to pixel: one move a clock, a fragment wherever a span is.
   *
   * Rows are walked to and fro. From the end of one row the move goes down and then sideways to the near end of the next,
-  * so its cost is the edge's lateral move, which the edge walker takes longer for. Coefficients lie in memory, one entry per kind of move, so
-  * that an attribute costs an adder and its register.
+  * so its cost is the edge's lateral move, which the edge walker takes longer for. Coefficients lie in memory, one entry
+  * per kind of move, so that an attribute costs an adder and its register.
   */
 case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   val io = new Bundle {
@@ -46,104 +34,89 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
     val down  = master Stream (InterpolatedFragment(config))
   }
 
-  case class Move() extends Bundle {
-    val entry   = UInt(3 bits)
-    val slot    = UInt(log2Up(slots) bits)
-    val clear   = Bool() // the planes become zero: the next move brings another triangle's first value
-    val emit    = Bool()
-    val tileEnd = Bool()
-    val x       = UInt(config.tileLog2Width bits)
-    val y       = UInt(config.tileLog2Height bits)
+  // The row to be drawn, from `near` to `far`.
+  case class Row() extends Bundle {
+    val y         = UInt(config.tileLog2Height bits)
+    val near, far = UInt(config.tileLog2Width bits)
+    val end       = Bool()
+    val leftwards = Bool() // the row's direction
+    val seekLeft  = Bool() // the direction from the row before to `near`
   }
+  val rows = Stream(Row())
+  val row  = rows.m2sPipe()
+  val leftwards = RegInit(False)
+  when(rows.fire) { leftwards := !leftwards && !rows.end }
+  rows.arbitrationFrom(io.spans)
+  rows.y := io.spans.y
+  rows.near := leftwards ? io.spans.last | io.spans.first
+  rows.far := leftwards ? io.spans.first | io.spans.last
+  rows.end := io.spans.end
+  rows.leftwards := leftwards
+  rows.seekLeft := rows.near < row.far
 
-  object State extends SpinalEnum { val Start, Row, Seek, Draw = newElement() }
-  val state     = RegInit(State.Start)
-  val x         = Reg(UInt(config.tileLog2Width bits))
-  val y         = Reg(UInt(config.tileLog2Height bits))
-  val leftwards = Reg(Bool())
-  val span      = io.spans.payload
-
-  // One move a clock. A row is drawn from `target` to `goal`.
-  val starting = state === State.Start
-  val drawing  = state === State.Draw
-  val target   = leftwards ? span.last | span.first
-  val goal     = (leftwards && !starting) ? span.first | span.last
-  val back     = (drawing ? goal | target) < x
-  val nextX = UInt(config.tileLog2Width bits)
-  val nextY = UInt(config.tileLog2Height bits)
-  val moves = Stream(Move())
-  nextX := back ? (x - 1) | (x + 1)
-  nextY := y
-  moves.valid := io.spans.valid
-  moves.entry := back ? U(Coefficient.Left, 3 bits) | U(Coefficient.Right, 3 bits)
-  moves.slot := io.token.slot
-  moves.clear := False
-  moves.emit := drawing || nextX === target
-  moves.tileEnd := False
-  switch(state) {
-    is(State.Start) {
-      moves.valid := io.token.valid && (io.token.tileEnd || io.spans.valid)
-      moves.entry := io.token.parity.asUInt.resized
-      moves.tileEnd := io.token.tileEnd
-      moves.clear := io.token.tileEnd
-      moves.emit := !io.token.tileEnd
-      nextX := io.token.x
-      nextY := span.y
-    }
-    is(State.Row) {
-      moves.entry := Coefficient.Down
-      moves.clear := span.end
-      nextX := x
-      nextY := y + 1
-      moves.emit := !span.end && nextY === span.y && x === target
-    }
-  }
-  moves.x := nextX
-  moves.y := nextY
-
-  val rowDone = moves.emit && nextX === goal
-  io.spans.ready := moves.fire && (rowDone || state === State.Row && span.end)
-  io.token.ready := moves.fire && moves.clear
-  when(moves.fire) {
-    x := nextX
-    y := nextY
-    when(moves.clear) {
-      state := State.Start
-    } elsewhen (rowDone) {
-      leftwards := starting || !leftwards
-      state := State.Row
-    } elsewhen (moves.emit) {
-      when(starting) { leftwards := False }
-      state := State.Draw
-    } elsewhen (state === State.Row && nextY === span.y) {
-      state := State.Seek
+  // Clock 1 of a move: the coefficient is asked for.
+  val x       = Reg(UInt(config.tileLog2Width bits))
+  val y       = Reg(UInt(config.tileLog2Height bits))
+  val moving  = RegInit(False) // a triangle is being drawn: clock 2 of its last move, to (x, y)
+  val drawing = Reg(Bool())    // the move before was a fragment of the same row
+  val ending  = RegInit(False) // clock 2 of a tile's end
+  val free    = Bool()         // the register of `down` is
+  val advance = free && row.valid // a move goes from clock 2 to the register of `down`
+  val covered = y === row.y && (drawing || x === row.near)
+  val rowDone = covered && x === row.far
+  val inRow   = y === row.y && !rowDone
+  val finish  = moving && row.end
+  val toLeft  = (drawing || x === row.near) ? row.leftwards | row.seekLeft
+  val entry   = UInt(3 bits)
+  entry := inRow ? (toLeft ? U(Coefficient.Left, 3 bits) | U(Coefficient.Right, 3 bits)) | U(Coefficient.Down, 3 bits)
+  when(!moving) { entry := io.token.parity.asUInt.resized }
+  val starts  = !moving && !ending && io.token.valid && !io.token.tileEnd && row.valid
+  val ends    = !moving && !ending && io.token.valid && io.token.tileEnd
+  val moves   = (moving || starts) && advance
+  io.token.ready := finish && advance || ends
+  row.ready := moving && free && (row.end || rowDone)
+  when(ends) { ending := True }
+  when(ending && free) { ending := False }
+  when(moves) {
+    moving := !finish
+    drawing := moving && covered && !rowDone
+    when(!moving) {
+      x := io.token.x
+      y := row.y
+    } elsewhen (inRow) {
+      x := toLeft ? (x - 1) | (x + 1)
+    } otherwise {
+      y := y + 1
     }
   }
 
-  // The coefficients of the move are read, then added.
-  val read       = moves.m2sPipe()
-  val complement = read.entry === Coefficient.Left
+  // Clock 2: it is added. In place of the move that the end mark followed, the planes become zero: the next move brings
+  // another triangle's first value.
+  val complement = RegNextWhen(moving && inRow && toLeft, moves) // the step to the left lacks one
   val widths = Seq.fill(4)(32) ++ Seq.fill(4)(16)
   val planes = for ((width, plane) <- widths.zipWithIndex) yield new Area {
     val memory = Mem(SInt(width bits), slots * 8)
     memory.write(io.write.slot @@ io.write.entry, io.write.value.resize(width), io.write.valid && io.write.plane === plane)
-    val coefficient =
-      memory.readSync(moves.slot @@ moves.entry, enable = moves.ready, readUnderWrite = dontCare)
+    val coefficient = memory.readSync(io.token.slot @@ entry, enable = moves, readUnderWrite = dontCare)
     val value = RegInit(S(0, width bits))
-    when(read.fire) {
-      when(read.clear) { value := 0 } otherwise {
-        value := value + coefficient + complement.asUInt.resize(width).asSInt
-      }
+    when(moving && advance) {
+      value := value + coefficient + complement.asUInt.resize(width).asSInt
+      when(row.end) { value := 0 }
     }
   }
 
-  val added = read.m2sPipe()
-  val fragments = added.throwWhen(!added.emit && !added.tileEnd)
-  io.busy := io.token.valid || read.valid || added.valid
-  io.down.arbitrationFrom(fragments)
-  io.down.x := fragments.x
-  io.down.y := fragments.y
-  io.down.tileEnd := fragments.tileEnd
+  val valid   = RegInit(False)
+  val tileEnd = Reg(Bool())
+  when(free) {
+    valid := moving && row.valid && !row.end && covered || ending
+    tileEnd := ending
+  }
+  free := !valid || io.down.ready
+  io.busy := io.token.valid || moving || ending || valid
+  io.down.valid := valid
+  io.down.x := RegNextWhen(x, advance)
+  io.down.y := RegNextWhen(y, advance)
+  io.down.tileEnd := tileEnd
   import SetupWords._
   Seq(PlaneS -> io.down.s, PlaneT -> io.down.t, PlaneQ -> io.down.q, PlaneZ -> io.down.z,
     PlaneR -> io.down.r, PlaneG -> io.down.g, PlaneB -> io.down.b, PlaneA -> io.down.a)

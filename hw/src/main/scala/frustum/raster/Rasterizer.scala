@@ -33,7 +33,7 @@ case class Rasterizer(config: RasterConfig, slots: Int, tech: Tech) extends Comp
 
   sequencer.io.frame << io.frame
   sequencer.io.tile >> io.tile
-  sequencer.io.job.halfPipe() >> setup.io.job
+  sequencer.io.job >> setup.io.job
   setup.io.token >> loader.io.up
   loader.io.down >> interpolator.io.token
   setup.io.spans.queue(1 << config.tileLog2Height) >> interpolator.io.spans
@@ -43,8 +43,7 @@ case class Rasterizer(config: RasterConfig, slots: Int, tech: Tech) extends Comp
   Seq(setup.io.store, loader.io.store, sequencer.io.store).zip(io.stores).foreach { case (from, to) => from <> to }
   Seq(setup.io.bank, loader.io.bank).foreach(_ := io.frame.bank)
   Seq(setup.io.flush, loader.io.flush).foreach(_ := flush)
-  sequencer.io.drained :=
-    !setup.io.job.valid && !setup.io.busy && !interpolator.io.busy && !io.draining
+  sequencer.io.drained := RegNext(!setup.io.busy && !interpolator.io.busy && !io.draining)
   loader.io.busy := interpolator.io.busy || io.draining
   io.state := loader.io.current
   io.setUp := setup.io.setUp

@@ -22,20 +22,23 @@ case class RenderStateLoader(config: RasterConfig, slots: Int) extends Component
   val current = Reg(RenderStateWord())
   val index   = Reg(UInt(4 bits))
   val loaded  = RegInit(False)
-  val asking  = RegInit(False)
-  val right   = io.up.tileEnd || loaded && index === io.up.state
-  io.down << io.up.haltWhen(!right)
+  val up      = io.up
+  val right   = up.tileEnd || loaded && index === up.state
+  val passes  = RegNext(up.valid && right && !up.fire, False)
+  io.down << up.continueWhen(passes)
   io.current := current
 
-  io.store.cmd.valid := io.up.valid && !right && !io.busy && !asking
+  val asking  = RegInit(False) // until the answer
+  val start   = up.valid && !right && !io.busy && !asking
+  io.store.cmd.valid := RegInit(False) setWhen start clearWhen io.store.cmd.fire
   io.store.cmd.write := False
   io.store.cmd.data := 0
-  io.store.cmd.address := io.bank @@ (U(layout.states, layout.bankAddressBits bits) + io.up.state)
-  asking.setWhen(io.store.cmd.fire)
+  io.store.cmd.address := io.bank @@ (U(layout.states, layout.bankAddressBits bits) + up.state)
+  asking.setWhen(start)
   when(asking && io.store.rsp.valid) {
     asking := False
     current.assignFromBits(io.store.rsp.payload.rotateLeft(16)) // the store has the first word in the upper half
-    index := io.up.state
+    index := up.state
     loaded := True
   }
   loaded.clearWhen(io.flush)

@@ -21,27 +21,33 @@ case class TileSequencer(config: RasterConfig) extends Component {
     val drained = in Bool () // no job is under way
   }
 
-  object State extends SpinalEnum { val Idle, Tile, Scan, Hand, End, Drain = newElement() }
+  object State extends SpinalEnum { val Idle, Tile, Settle, Scan, Hand, End, Drain = newElement() }
   val state    = RegInit(State.Idle)
   val tile     = Reg(TilePosition())
-  val triangle = Reg(UInt(11 bits)) // the next to be asked for
+  val triangle = Reg(UInt(11 bits)) // the next to be looked at
   val frame    = io.frame.payload
 
-  // A box is asked for every clock; the answer of the clock before is looked at.
-  val looking  = RegInit(False)
-  val box      = io.store.rsp.payload
-  val hit = box(15 +  4 downto 15).asUInt <= tile.tileX && box(10 + 4 downto 10).asUInt >= tile.tileX &&
-    box(5 + 4 downto 5).asUInt <= tile.tileY && box(4 downto 0).asUInt >= tile.tileY
-  val found  = looking && io.store.rsp.valid && hit
+  // A box is asked for every clock. Its answer is held against the tile when it comes, and looked at a clock later; after
+  // a hit the answers still under way are let go by.
+  val asked    = Reg(UInt(11 bits))         // the next box to be asked for
+  val pending  = Reg(UInt(2 bits)) init 0   // answers under way
+  val response = io.store.rsp
+  def field(n: Int) = response.payload(5 * n, 5 bits).asUInt
+  val looking  = RegNext(response.valid, False)
+  val inside   = RegNext(field(3) <= tile.tileX) && RegNext(field(2) >= tile.tileX) &&
+    RegNext(field(1) <= tile.tileY) && RegNext(field(0) >= tile.tileY)
+  val boxState = RegNext(response.payload(31 downto 28).asUInt)
+  val ended    = triangle === frame.triangleCount
   val hitTriangle = Reg(UInt(10 bits))
   val hitState    = Reg(UInt(4 bits))
-  val ended  = triangle === frame.triangleCount
 
-  io.store.cmd.valid := False
+  io.store.cmd.valid := state === State.Scan && pending =/= 3
   io.store.cmd.write := False
   io.store.cmd.data := 0
   io.store.cmd.address := frame.bank @@
-    (U(layout.triangles, layout.bankAddressBits bits) + (triangle << 1) + 1).resize(layout.bankAddressBits)
+    (U(layout.triangles, layout.bankAddressBits bits) + (asked << 1) + 1).resize(layout.bankAddressBits)
+  when(io.store.cmd.fire) { asked := asked + 1 }
+  pending := pending + io.store.cmd.fire.asUInt - response.valid.asUInt
   io.tile.valid := state === State.Tile
   io.tile.payload := tile
   io.job.valid := state === State.Hand || state === State.End
@@ -51,7 +57,6 @@ case class TileSequencer(config: RasterConfig) extends Component {
   io.job.triangle := hitTriangle
   io.job.state := hitState
   io.frame.ready := False
-  looking := False
 
   switch(state) {
     is(State.Idle) {
@@ -61,25 +66,24 @@ case class TileSequencer(config: RasterConfig) extends Component {
     }
     is(State.Tile) {
       triangle := 0
-      when(io.tile.ready) { state := State.Scan }
+      asked := 0
+      when(io.tile.ready) { state := State.Settle }
     }
+    is(State.Settle) { when(pending === 0 && !looking) { state := State.Scan } }
     is(State.Scan) {
-      // Reads are asked for come what may, so that the store's address hangs on registers alone; the one that follows a
-      // hit, or the last triangle, is not looked at.
-      io.store.cmd.valid := True
-      when(found) {
-        hitTriangle := (triangle - 1).resized
-        hitState := box(31 downto 28).asUInt
-        state := State.Hand
-      } otherwise {
-        when(io.store.cmd.fire && !ended) {
-          triangle := triangle + 1
-          looking := True
-        }
-        when(ended && !looking) { state := State.End }
+      when(ended) {
+        state := State.End
+      } elsewhen (looking) {
+        triangle := triangle + 1
+        hitTriangle := triangle.resized
+        hitState := boxState
+        when(inside) { state := State.Hand }
       }
     }
-    is(State.Hand) { when(io.job.ready) { state := State.Scan } }
+    is(State.Hand) {
+      asked := triangle
+      when(io.job.ready) { state := State.Settle }
+    }
     is(State.End) {
       when(io.job.ready) {
         tile.tileX := tile.tileX + 1

@@ -2,20 +2,11 @@ package frustum.raster
 
 import frustum.blackbox.Tech
 import frustum.link.StoreBus
-import frustum.spec.{RasterConfig, SetupInstruction, SetupProgram, SetupWords, StoreLayout}
+import frustum.spec.{FetchProgram, RasterConfig, SetupInstruction, SetupProgram, SetupWords, StoreLayout}
 import spinal.core._
 import spinal.lib._
 
-/** A triangle to be drawn in a tile, or the end of the tile. */
-case class TileJob(config: RasterConfig) extends Bundle {
-  val tileEnd  = Bool()
-  val tileX    = UInt(5 bits)
-  val tileY    = UInt(5 bits)
-  val triangle = UInt(10 bits)
-  val state    = UInt(4 bits)
-}
-
-/** Sets triangles up for the tiles they touch, one ahead of the interpolator.
+/** Sets triangles up for the tiles they touch, ahead of the interpolator by two.
   *
   * A triangle met for the first time in a frame is fetched and set up whole. It then keeps its slot until another
   * triangle takes it, so that in further tiles only the edge functions and the planes' first values are worked out.
@@ -23,8 +14,7 @@ case class TileJob(config: RasterConfig) extends Bundle {
   * @param slots triangles kept
   */
 case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends Component {
-  import SetupWords._
-  require(slots >= 3 && slots <= 32, s"TriangleSetup: $slots slots; from 3 (two are drawn, one is set up) to 32")
+  require(slots >= 3 && slots <= 6, s"TriangleSetup: $slots slots; from 3 (two are drawn, one is set up) to 6")
   val layout = StoreLayout(config)
   val io = new Bundle {
     val flush = in Bool () // a new frame: the triangles kept are no more
@@ -34,52 +24,51 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     val write = master Flow (CoefficientWrite(slots))
     val spans = master Stream (Span(config))
     val token = master Stream (DrawToken(config, slots))
-    val busy  = out Bool () // tokens are under way
+    val busy  = out Bool () // jobs or tokens are under way
     val setUp = out Bool () // pulses when a triangle has been set up whole
     val moved = out Bool () // pulses when a triangle has been moved to a tile
   }
 
+  val lookup = SlotLookup(config, slots)
   val engine = SetupEngine(slots, tech)
   val walker = EdgeWalker(config)
-  val fetch  = SetupFetch(layout)
+  val fetch  = SetupFetch(layout, slots)
   val writer = CoefficientWriter(slots)
-  val job    = io.job.payload
-  val slot   = Reg(UInt(log2Up(slots) bits)) init 0
+
+  lookup.io.flush := io.flush
+  lookup.io.up << io.job
+  lookup.io.tags <> fetch.io.spare
+  val found = lookup.io.down.halfPipe()
+  val slot  = found.slot
+  val job   = found.job
+
   val parity = Reg(Bool())
   engine.io.slot := slot
+  engine.io.read := fetch.io.read
+  engine.io.write << fetch.io.write
   fetch.io.triangle := job.triangle
-  fetch.io.upper := False
   fetch.io.bank := io.bank
   fetch.io.store <> io.store
   fetch.io.readData := engine.io.readData
+  val result = engine.io.result
   walker.io.step << engine.io.step
-  walker.io.edge.valid := engine.io.result.valid && engine.io.result.kind === SetupInstruction.Edge(0).code
-  walker.io.edge.index := engine.io.result.target.resized
-  walker.io.edge.value := engine.io.result.value
-  writer.io.result << engine.io.result
+  walker.io.edge.valid := result.valid && result.kind === SetupInstruction.Edge(0).code
+  walker.io.edge.index := result.target.resized
+  walker.io.edge.value := result.value
+  writer.io.result << result
   writer.io.slot := slot
   writer.io.parity := parity
   io.write << writer.io.write
-
-  // The slots' triangles; the slot that was set up longest ago is taken next.
-  val tags   = Vec.fill(slots)(Reg(UInt(10 bits)))
-  val known  = Vec.fill(slots)(RegInit(False))
-  val hits   = Vec(tags.zip(known).map { case (tag, valid) => valid && tag === job.triangle })
-  val cached = hits.orR
-  val next   = Reg(UInt(log2Up(slots) bits)) init 0
-  when(io.flush) { known.foreach(_ := False) }
 
   // The token being drawn and the one after it. Their slots must not be set up anew meanwhile.
   val token   = Stream(DrawToken(config, slots))
   val waiting = token.halfPipe() // cuts the way of ready
   val drawn   = waiting.m2sPipe()
   def holds(s: Stream[DrawToken]) = s.valid && !s.tileEnd
-  val nextUsed = Seq(waiting, drawn).map(s => holds(s) && s.slot === next).orR
-  val bothUsed = holds(waiting) && holds(drawn) // so are both entries for first values
+  val slotUsed = RegNext(Seq(waiting, drawn).map(s => holds(s) && s.slot === slot).orR)
+  val bothUsed = RegNext(holds(waiting) && holds(drawn)) // so are both entries for first values
   io.token << drawn
-  io.busy := waiting.valid || drawn.valid
-
-  import SetupProgram.{SectionArea, SectionAttributes, SectionEdges, SectionGradients, SectionRebase, SectionSteps}
+  io.busy := io.job.valid || found.valid || waiting.valid || drawn.valid
 
   // First span of the triangle; the walker's end mark counts only where there was one.
   val seen = RegInit(False)
@@ -95,32 +84,17 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   token.parity := parity
   token.x := firstX
 
-  // A power of two, for shifts by multiplication.
-  val shift        = Reg(UInt(5 bits))
-  val oneHotAmount = UInt(5 bits)
-  oneHotAmount := fetch.io.write.valid ? fetch.io.scaleShift | shift
-  val oneHot = (U(1, 32 bits) |<< oneHotAmount).asSInt
-
-  // Between the engine's runs this control writes and reads the scratch memory.
-  val sliver = Reg(Bool())
-  walker.io.start := False
-  engine.io.sliver := sliver
-  engine.io.read := fetch.io.read
-  engine.io.write << fetch.io.write
-  when(fetch.io.scale) { engine.io.write.data := oneHot }
-  def write(word: Int, data: SInt): Unit = {
-    engine.io.write.valid := True
-    engine.io.write.word := word
-    engine.io.write.data := data
-  }
-
-  // The area, to be shifted left until bit 29 is set.
+  // The area, to be shifted left until bit 29 is set; `place` is 30 less the shift.
   val area     = Reg(UInt(30 bits))
   val backward = Reg(Bool()) // the triangle faces away
-  when(engine.io.result.valid && engine.io.result.target === SetupWords.Area) {
-    area := engine.io.result.value.asUInt.resized
-    backward := engine.io.result.value.msb
+  val place    = Reg(UInt(5 bits))
+  val sliver   = Reg(Bool())
+  engine.io.sliver := sliver
+  when(result.valid && result.target === SetupWords.Area) {
+    area := result.value.asUInt.resized
+    backward := result.value.msb
   }
+  val empty = Vec.fill(slots)(Reg(Bool())) // the slot's triangle draws nothing
 
   // The tile's last column and row on the screen.
   private def lastIn(tile: UInt, log2: Int, size: Int) =
@@ -130,139 +104,118 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   walker.io.lastColumn := lastColumn
   walker.io.lastRow := lastRow
 
-  // A pixel's position relative to vertex 0, whose coordinate was just read, in 1/16 pixel.
-  val pixel = UInt(10 bits)
   def inTileX(x: UInt) = (job.tileX @@ x).resize(10)
   def inTileY(y: UInt) = (job.tileY @@ y).resize(10)
-  pixel := inTileX(U(0, config.tileLog2Width bits))
-  fetch.io.pixel := pixel
-  val position = fetch.io.write.data
+  val values = fetch.io.values
+  values.left := inTileX(U(0, config.tileLog2Width bits))
+  values.right := inTileX(lastColumn)
+  values.top := inTileY(U(0, config.tileLog2Height bits))
+  values.firstX := inTileX(firstX)
+  values.firstY := inTileY(firstY)
+  values.area := area
+  values.place := place
 
+  import SetupProgram.{SectionArea, SectionAttributes, SectionEdges, SectionGradients, SectionRebase, SectionSteps}
   object State extends SpinalEnum {
-    val Idle, Fetch, Area, Facing, Normalise, WriteArea, WriteShift, WriteShift4, Check, ReadX,
-      WriteLeft, WriteRight, WriteTop, Walk, Look, WritePixelX, WritePixelY, Hand, Run = newElement()
+    val Idle, Area, Facing, Normalise, Attributes, GradientShift, Steps, Check, Gradients, Corner, Edges, Walk, Look,
+      Pixel, Rebase, Hand, Wait = newElement()
   }
   val state = RegInit(State.Idle)
-  val after = Reg(State()) // where to go when the engine is idle again
-  val started = Reg(Bool())
+  val after = Reg(State()) // where to go when engine and fetch are idle
   engine.io.run.valid := False
-  engine.io.run.payload := 0
+  engine.io.run.payload.assignDontCare()
+  fetch.io.start := False
+  fetch.io.program.assignDontCare()
   def run(section: Int, next: State.E): Unit = {
     engine.io.run.valid := True
     engine.io.run.payload := section
     after := next
-    state := State.Run
-    started := False
+    state := State.Wait
+  }
+  def load(program: Int, next: State.E): Unit = {
+    fetch.io.start := True
+    fetch.io.program := program
+    after := next
+    state := State.Wait
   }
 
-  io.job.ready := False
+  found.ready := False
   io.setUp := False
   io.moved := False
-  fetch.io.start := False
+  walker.io.start := False
 
   switch(state) {
     is(State.Idle) {
       sliver := False
-      shift := 0
-      when(io.job.valid) {
+      place := 30
+      when(found.valid) {
         when(job.tileEnd) {
           token.valid := True
-          io.job.ready := token.ready
-        } elsewhen (cached) {
-          slot := OHToUInt(hits)
-          state := State.ReadX
-        } elsewhen (!nextUsed) {
-          slot := next
-          next := (next === slots - 1) ? U(0) | next + 1
-          known(next) := False
-          fetch.io.start := True
-          state := State.Fetch
+          found.ready := token.ready
+        } elsewhen (found.known) {
+          when(empty(slot)) { found.ready := True } otherwise { state := State.Corner }
+        } elsewhen (!slotUsed) {
+          load(0, State.Area)
         }
       }
     }
-    is(State.Fetch) { when(fetch.io.done) { state := State.Area } }
     is(State.Area) { run(SectionArea, State.Facing) }
     is(State.Facing) {
       state := State.Normalise
+      empty(slot) := backward || area === 0
       when(backward || area === 0) {
-        io.job.ready := True
+        found.ready := True
         state := State.Idle
       }
     }
     is(State.Normalise) {
-      when(area.msb || shift === MaxShift) {
-        state := State.WriteArea
+      when(area.msb || place === 30 - SetupWords.MaxShift) {
+        load(FetchProgram.Normal, State.Attributes)
       } otherwise {
         area := area |<< 1
-        shift := shift + 1
+        place := place - 1
       }
     }
-    is(State.WriteArea) { write(AreaNormal, (area | (1 << 29) | 1).intoSInt.resize(32)); state := State.WriteShift }
-    is(State.WriteShift) { write(Shift, oneHot); state := State.WriteShift4 }
-    is(State.WriteShift4) {
-      oneHotAmount := sliver ? (shift - 10) | (shift + 4)
-      write(Shift4, oneHot)
-      when(sliver) { run(SectionSteps, State.Check) } otherwise { run(SectionAttributes, State.Check) }
+    is(State.Attributes) {
+      place := place - 4
+      run(SectionAttributes, State.GradientShift)
     }
+    is(State.GradientShift) { load(FetchProgram.GradientShift, State.Steps) }
+    is(State.Steps) { run(SectionSteps, State.Check) }
     is(State.Check) {
       when(engine.io.overflow && !sliver) {
         sliver := True
-        state := State.WriteShift4
+        place := place + 14
+        state := State.GradientShift
       } otherwise {
-        known(slot) := True
-        tags(slot) := job.triangle
-        io.setUp := True
-        run(SectionGradients, State.ReadX)
+        state := State.Gradients
       }
     }
-
-    is(State.ReadX) { engine.io.read := X0; state := State.WriteLeft }
-    is(State.WriteLeft) { engine.io.read := X0; write(Left, position); state := State.WriteRight }
-    is(State.WriteRight) {
-      engine.io.read := Y0
-      pixel := inTileX(lastColumn)
-      write(Right, position)
-      state := State.WriteTop
+    is(State.Gradients) {
+      io.setUp := True
+      run(SectionGradients, State.Corner)
     }
-    is(State.WriteTop) {
-      engine.io.read := Y0
-      pixel := inTileY(U(0, config.tileLog2Height bits))
-      write(Top, position)
-      when(walker.io.idle) { run(SectionEdges, State.Walk) }
-    }
+    is(State.Corner) { load(FetchProgram.Corner, State.Edges) }
+    is(State.Edges) { when(walker.io.idle) { run(SectionEdges, State.Walk) } }
     is(State.Walk) { walker.io.start := True; seen := False; state := State.Look }
     is(State.Look) {
-      engine.io.read := X0
-      when(seen) { when(!bothUsed) { state := State.WritePixelX } } elsewhen (walker.io.up.valid) {
-        // the end mark, without a span before it
-        when(walker.io.up.end) { io.job.ready := True; state := State.Idle }
+      when(seen) { when(!bothUsed) { state := State.Pixel } } elsewhen (walker.io.up.valid && walker.io.up.end) {
+        // no span before the end mark
+        found.ready := True
+        state := State.Idle
       }
     }
-    is(State.WritePixelX) {
-      engine.io.read := Y0
-      pixel := inTileX(firstX)
-      fetch.io.upper := True
-      write(PixelX_16, position)
-      state := State.WritePixelY
-    }
-    is(State.WritePixelY) {
-      pixel := inTileY(firstY)
-      fetch.io.upper := True
-      write(PixelY_16, position)
-      run(SectionRebase, State.Hand)
-    }
+    is(State.Pixel) { load(FetchProgram.Pixel, State.Rebase) }
+    is(State.Rebase) { run(SectionRebase, State.Hand) }
     is(State.Hand) {
       token.valid := True
       when(token.ready) {
         parity := !parity
-        io.job.ready := True
+        found.ready := True
         io.moved := True
         state := State.Idle
       }
     }
-    is(State.Run) {
-      started := True
-      when(started && engine.io.idle) { state := after }
-    }
+    is(State.Wait) { when(engine.io.idle && fetch.io.idle) { state := after } }
   }
 }

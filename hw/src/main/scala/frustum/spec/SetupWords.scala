@@ -10,7 +10,7 @@ object SetupWords {
   val Shared = 39
   val Planes    = 8
 
-  // The slot, kept while the triangle is cached. Positions in 1/16 pixel relative to the centre of pixel (0, 0);
+  // The slot, kept while the triangle is cached. Positions in 1/16 pixel;
   // "16" marks values held times 2^16, so that a product with a plain integer is a plain integer.
   val X0 = 0; val Y0 = 1
   val DX1_16 = 2; val DY1_16 = 3; val DX2_16 = 4; val DY2_16 = 5

@@ -15,8 +15,11 @@ import spinal.lib.sim._
 import scala.collection.mutable.ArrayBuffer
 import scala.util.Random
 
-/** A rasterizer with a store of its own whose three clients never wait for one another, or now and then for nothing. */
-case class RasterizerBench(config: RasterConfig, slots: Int) extends Component {
+/** A rasterizer with a store of its own whose three clients never wait for one another, or now and then for nothing.
+  *
+  * @param latency clocks from a read to its answer
+  */
+case class RasterizerBench(config: RasterConfig, slots: Int, latency: Int) extends Component {
   val layout = StoreLayout(config)
   val io = new Bundle {
     val frame = slave Stream (FrameJob())
@@ -37,8 +40,8 @@ case class RasterizerBench(config: RasterConfig, slots: Int) extends Component {
   unit.io.draining := io.down.valid
   for ((bus, n) <- unit.io.stores.zipWithIndex) {
     bus.cmd.ready := !io.stall(n)
-    bus.rsp.valid := RegNext(bus.cmd.fire, False)
-    bus.rsp.payload := store.readSync(bus.cmd.address)
+    bus.rsp.valid := Delay(bus.cmd.fire, latency, init = False)
+    bus.rsp.payload := Delay(store.readSync(bus.cmd.address), latency - 1)
   }
 }
 
@@ -73,7 +76,7 @@ class RasterizerTest extends AnyFunSuite {
     (vertices ++ triangles.flatten ++ states).toMap
   }
 
-  private def check(config: RasterConfig, slots: Int, passes: Seq[FramePass], stalls: Seq[Double], seed: Int): Unit = {
+  private def check(config: RasterConfig, slots: Int, latency: Int, passes: Seq[FramePass], stalls: Seq[Double], seed: Int): Unit = {
     val expected = ArrayBuffer.empty[String]
     passes.foreach { pass =>
       model.raster.Rasterizer(config).draw(pass, new model.raster.FragmentSink {
@@ -83,7 +86,7 @@ class RasterizerTest extends AnyFunSuite {
         def tileEnd(x: Int, y: Int): Unit = expected += "end"
       })
     }
-    FrustumSim.compile(s"RasterizerBench_${config.width}x${config.height}_$slots")(RasterizerBench(config, slots)).doSim(seed) { dut =>
+    FrustumSim.compile(s"RasterizerBench_${config.width}x${config.height}_${slots}_$latency")(RasterizerBench(config, slots, latency)).doSim(seed) { dut =>
       for (rate <- stalls) {
         val got = ArrayBuffer.empty[String]
         var clocks = 0
@@ -143,10 +146,10 @@ class RasterizerTest extends AnyFunSuite {
     FramePass(frame, 0, TileRegion.whole(config), states, vertices, IndexedSeq.tabulate(count)(i => PackedTriangle(r.nextInt(2), 3 * i, 3 * i + 1, 3 * i + 2)))
   }
 
-  test("fragments equal the model's") {
+  for ((slots, latency) <- Seq(6 -> 2, 3 -> 1)) test(s"fragments equal the model's, $slots slots, store answers after $latency clocks") {
     val config = RasterConfig(width = 72, height = 40)
     val seed   = 7
     val r      = new Random(seed)
-    check(config, 6, Seq(randomPass(r, config, 0, 5), randomPass(r, config, 1, 30), randomPass(r, config, 2, 3)), Seq(0.0, 0.4), seed)
+    check(config, slots, latency, Seq(randomPass(r, config, 0, 5), randomPass(r, config, 1, 30), randomPass(r, config, 2, 3)), Seq(0.0, 0.4), seed)
   }
 }

@@ -50,23 +50,23 @@ final class TriangleSetup {
 
   /** Edge functions on row `top`, each at the column, `left` or `right`, where its walk starts. */
   def edges(left: Int, right: Int, top: Int): Unit = {
-    word(Left) = 16 * left - word(X0)
-    word(Right) = 16 * right - word(X0)
-    word(Top) = 16 * top - word(Y0)
+    word(Left) = 16 * left + 8 - word(X0)
+    word(Right) = 16 * right + 8 - word(X0)
+    word(Top) = 16 * top + 8 - word(Y0)
     run(SetupProgram.edges)
   }
 
   /** Values of the planes at a pixel. */
   def rebase(x: Int, y: Int): Unit = {
-    word(PixelX_16) = (16 * x - word(X0)) << 16
-    word(PixelY_16) = (16 * y - word(Y0)) << 16
+    word(PixelX_16) = (16 * x + 8 - word(X0)) << 16
+    word(PixelY_16) = (16 * y + 8 - word(Y0)) << 16
     run(SetupProgram.rebase)
   }
 
   private def fetch(v0: PackedVertex, v1: PackedVertex, v2: PackedVertex): Unit = {
     val v = IndexedSeq(v0, v1, v2)
-    word(X0) = v0.x - 8
-    word(Y0) = v0.y - 8
+    word(X0) = v0.x
+    word(Y0) = v0.y
     word(DX1) = v1.x - v0.x
     word(DX2) = v2.x - v0.x
     word(DX1_16) = (v1.x - v0.x) << 16

@@ -1,0 +1,95 @@
+package frustum.spec
+
+import SetupWords._
+
+/** What is written into the set-up engine's scratch memory before its programs run, a row a word: a triangle's vertices,
+  * and the small programs of [[FetchProgram.Corner]] and the others.
+  */
+object FetchProgram {
+
+  /** Where a row's data comes from. `Power` and `Scale` are powers of two, all others minuends, from which the word
+    * `origin` is subtracted.
+    */
+  object Field extends Enumeration {
+    val Skip, Position, Z, Q, Color, Texture, Scale, Power, Area, Left, Right, Top, FirstX, FirstY = Value
+  }
+
+  /** @param word   which of the vertex's store words holds the field; it stands at the word's top, except for
+    *               texture coordinates
+    * @param upper  the difference is written times 2^16
+    * @param take   the store word's top byte is done with
+    */
+  final case class Row(
+      field: Field.Value,
+      target: Int = Nothing,
+      origin: Int = Nothing,
+      word: Int = 0,
+      upper: Boolean = false,
+      take: Boolean = false
+  )
+
+  private def position(vertex: Int, targets: Seq[Int], take: Boolean, origin: Int, upper: Boolean) =
+    Row(Field.Position, targets(vertex), if (vertex == 0) Nothing else origin, 0, upper && vertex > 0, take)
+
+  private def plane(vertex: Int, word: Int, field: Field.Value, p: Int) =
+    Row(field, Seq(value(p), delta1(p), delta2(p))(vertex), if (vertex == 0) Nothing else value(p), word, take = true)
+
+  /** Rows of one vertex: vertex 0's fields, the others' differences. What vertex 0 leaves in a difference's place, vertex 1
+    * overwrites.
+    */
+  def vertex(v: Int): Seq[Row] = Seq(
+    position(v, Seq(X0, DX1, DX2), take = false, X0, upper = false),
+    position(v, Seq(DX1_16, DX1_16, DX2_16), take = true, X0, upper = true),
+    Row(Field.Skip, word = 0, take = true),
+    position(v, Seq(Y0, DY1_16, DY2_16), take = false, Y0, upper = true),
+    plane(v, 1, Field.Z, PlaneZ),
+    Row(Field.Skip, word = 1, take = true),
+    Row(Field.Q, q(v), word = 1),
+    Row(Field.Texture, s(v), word = ExponentWord),
+    Row(Field.Scale, scale(v), word = ExponentWord),
+    Row(Field.Texture, t(v), word = 3),
+    plane(v, 4, Field.Color, PlaneR),
+    plane(v, 4, Field.Color, PlaneG),
+    plane(v, 4, Field.Color, PlaneB),
+    plane(v, 4, Field.Color, PlaneA)
+  )
+
+  /** The store word with a vertex's exponent, in its upper five bits. */
+  val ExponentWord = 2
+
+  /** The walk's corners, relative to vertex 0. */
+  val corner: Seq[Row] =
+    Seq(Row(Field.Left, Left, X0), Row(Field.Right, Right, X0), Row(Field.Top, Top, Y0))
+
+  /** The first covered pixel, relative to vertex 0. */
+  val pixel: Seq[Row] =
+    Seq(Row(Field.FirstX, PixelX_16, X0, upper = true), Row(Field.FirstY, PixelY_16, Y0, upper = true))
+
+  /** The area normalised, and the shift that it took. */
+  val normal: Seq[Row] = Seq(Row(Field.Area, AreaNormal), Row(Field.Power, Shift))
+
+  val gradientShift: Seq[Row] = Seq(Row(Field.Power, Shift4))
+
+  // Programs begin at these rows of the table; vertex v at 16 v.
+  val Corner = 48; val Pixel = 52; val Normal = 56; val GradientShift = 60
+  /** Rows from here on hold other things. */
+  val Rows = 64
+
+  /** Bits of a row: last 1, last of its store word 1, take 1, upper 1, word 3, field 4, origin 6, target 6. */
+  val RowBits = 23
+
+  private def encode(program: Seq[Row]): Seq[Int] = program.zipWithIndex.map { case (r, n) =>
+    val next = program.lift(n + 1)
+    def bit(b: Boolean, at: Int) = (if (b) 1 else 0) << at
+    bit(next.isEmpty, 22) | bit(next.forall(_.word != r.word), 21) | bit(r.take, 20) | bit(r.upper, 19) |
+      r.word << 16 | r.field.id << 12 | r.origin << 6 | r.target
+  }
+
+  val image: Seq[Int] = {
+    val programs = (0 to 2).map(v => 16 * v -> vertex(v)) ++
+      Seq(Corner -> corner, Pixel -> pixel, Normal -> normal, GradientShift -> gradientShift)
+    val rows = programs.flatMap { case (at, program) => encode(program).zipWithIndex.map { case (r, n) => at + n -> r } }.toMap
+    require(rows.size == programs.map(_._2.length).sum, "programs of the table overlap")
+    (0 until Rows).map(rows.getOrElse(_, 0))
+  }
+}
