@@ -13,9 +13,10 @@ import spinal.lib._
   *     follows another on its pixel by 2 clocks at least, or by 3 when colour is blended. Only the lower bits
   *     of the place are compared: a stranger may wait in vain, but neighbours never do.
   *   - End of a tile: waits until the tile before has been resolved, so that the bank which is drawn to next
-  *     is clear.
+  *     is clear. It goes on two clocks after the resolver's last.
   *
-  * What to wait for is found when a fragment enters, so that ready hangs on registers alone.
+  * What to wait for is found when a fragment enters, so that ready is a register: it holds up everything back to the
+  * interpolator. Nothing may be in flight while both banks are cleared, which is what starting a frame waits for.
   */
 case class Interlock(config: RasterConfig) extends Component {
   val io = new Bundle {
@@ -27,20 +28,25 @@ case class Interlock(config: RasterConfig) extends Component {
   private def place(f: ColoredFragment): Bits = f.y.take(2) ## f.x.take(3)
 
   val held = io.up.m2sPipe(collapsBubble = false)
-  val wait1 = RegInit(False)
-  val wait2 = RegInit(False)
+  val stalled = RegInit(False)
+  val again = RegInit(False) // a second clock to wait
   val resolves = RegInit(False) // a tile has ended and is not resolved yet
-  held.ready := !wait1 && !wait2 && !io.clear.all && !(resolves && held.valid && held.tileEnd)
+  held.ready := !stalled
 
   val before = RegNext(held.fire) init False
   val atBefore = RegNext(place(held.payload))
   val meets1 = held.valid && place(io.up.payload) === place(held.payload)
   val meets2 = before && place(io.up.payload) === atBefore
-  wait2 := held.ready && io.up.valid && meets1 && io.state.blend
-  wait1 := wait2 || held.ready && io.up.valid && Mux(io.state.blend, meets2, meets1)
+  val meets = io.up.valid && !stalled && Mux(io.state.blend, meets1 || meets2, meets1)
+  again := io.up.valid && !stalled && meets1 && io.state.blend
 
   when(io.clear.done) { resolves := False }
   when(held.fire && held.tileEnd) { resolves := True }
+  val entersEnd = !stalled && io.up.valid && io.up.tileEnd
+  val staysEnd = stalled && held.valid && held.tileEnd
+  val endWaits = entersEnd && (resolves || held.valid && held.tileEnd) || staysEnd && resolves
+  stalled := meets || again || endWaits
+  assert(!(io.clear.all && held.valid), "a fragment meets the clearing of both banks")
 
   io.down << held.toFlowFire
 }

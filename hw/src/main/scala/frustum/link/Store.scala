@@ -6,29 +6,34 @@ import frustum.spec.StoreLayout
 import spinal.core._
 import spinal.lib._
 
-/** The scene store: one access a clock, shared by `clients` with fixed priority, client 0 first. A read is answered to
-  * its client one clock after it is granted. Only the last client, by custom the decoder, may write: the others' `write`
-  * and `data` are not looked at. 16 K x 32 for the default layout: two SPRAM of the iCE40UP5K side by side.
+/** The scene store: one access a clock, shared by `clients` with fixed priority, client 0 first. Who has the port is
+  * decided a clock ahead, so that no client's valid lies in the way of an address: a request is taken in the clock after
+  * it is seen at the earliest, those that follow without a gap at one a clock. A request must stay until it is taken. A
+  * read is answered to its client one clock after it is taken. Only the last client, by custom the decoder, may write:
+  * the others' `write` and `data` are not looked at. 16 K x 32 for the default layout: two SPRAM of the iCE40UP5K side
+  * by side.
   */
 case class Store(layout: StoreLayout, clients: Int, tech: Tech) extends Component {
   val io = new Bundle {
     val clients = Vec.fill(Store.this.clients)(slave(StoreBus(layout)))
   }
 
-  val ram     = SinglePortRam(1 << layout.addressBits, 32, tech)
-  val arbiter = StreamArbiterFactory().lowerFirst.noLock.build(StoreCmd(layout), clients)
-  for ((input, client) <- arbiter.io.inputs.zip(io.clients)) input << client.cmd
+  val ram    = SinglePortRam(1 << layout.addressBits, 32, tech)
+  val writer = io.clients.last.cmd
+  // Whoever asks now has the port in the next clock, even if what it asks for is being taken: it may ask again.
+  val first   = OHMasking.first(Vec(io.clients.map(_.cmd.valid)))
+  val granted = Vec(first.map(RegNext(_, False)))
+  val chosen  = RegNext(OHToUInt(first)) // the same as a number
 
-  val granted = arbiter.io.output
-  granted.ready        := True
-  ram.io.enable    := granted.valid
-  ram.io.write     := arbiter.io.chosenOH.msb && io.clients.last.cmd.write
-  ram.io.address   := granted.address
-  ram.io.writeData := io.clients.last.cmd.data
+  ram.io.enable    := True // a read nobody asked for does no harm
+  ram.io.write     := granted.last && writer.valid && writer.write
+  ram.io.address   := Vec(io.clients.map(_.cmd.address))(chosen)
+  ram.io.writeData := writer.data
   ram.io.mask      := B(3, 2 bits)
 
-  for (client <- io.clients) {
+  for ((client, grant) <- io.clients.zip(granted)) {
     val write = if (client eq io.clients.last) client.cmd.write else False
+    client.cmd.ready   := grant
     client.rsp.valid   := RegNext(client.cmd.fire && !write) init False
     client.rsp.payload := ram.io.readData
   }

@@ -10,7 +10,7 @@ import spinal.lib._
   *
   * Texel memory has one port. A write that is offered stops the reading, and is done when the last texel that
   * was read has been taken, since a write spoils the memory's output; then writes go at one a clock. `state`
-  * must be stable while `busy`.
+  * must be stable while `busy`, and from the clock before the first coordinate that it concerns.
   */
 case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
   val io = new Bundle {
@@ -26,10 +26,12 @@ case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
     val s, t = UInt(7 bits)
   }
 
+  val columns = new TexelAddress.Axis(io.state.wrapS, io.state.log2Width)
+  val rows = new TexelAddress.Axis(io.state.wrapT, io.state.log2Height)
   val wrapped = io.up.translateWith {
     val index = TexelIndex()
-    index.s := TexelAddress.index(io.up.s, io.state.wrapS, io.state.log2Width)
-    index.t := TexelAddress.index(io.up.t, io.state.wrapT, io.state.log2Height)
+    index.s := TexelAddress.index(io.up.s, columns)
+    index.t := TexelAddress.index(io.up.t, rows)
     index
   }
   val indexed = wrapped.m2sPipe(collapsBubble = false)
@@ -37,7 +39,7 @@ case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
   val fetched = read.translateWith(NoData()).m2sPipe(collapsBubble = false)
 
   val memory = SinglePortRam(config.textureTexels, 16, tech)
-  val address = Mux(io.texels.valid, io.texels.address, TexelAddress(indexed.s, indexed.t, io.state))
+  val address = Mux(io.texels.valid, io.texels.address, TexelAddress(indexed.s, indexed.t, columns, io.state))
   memory.io.enable := Mux(io.texels.valid, io.texels.ready, fetched.ready)
   memory.io.write := io.texels.fire
   memory.io.address := address.resized

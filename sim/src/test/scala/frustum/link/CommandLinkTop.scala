@@ -82,13 +82,17 @@ final class LinkSink(config: RasterConfig, clock: ClockDomain, texelWrites: Stre
   private def readBank(bank: Int): IndexedSeq[Long] = {
     val words = ArrayBuffer.empty[Long]
     rival.cmd.valid #= true
-    for (i <- 0 to layout.bankWords) {
-      rival.cmd.address #= (bank << layout.bankAddressBits) | i.min(layout.bankWords - 1)
+    var asked = 0
+    rival.cmd.address #= bank << layout.bankAddressBits
+    while (words.size < layout.bankWords) {
       clock.waitSampling()
-      if (i > 0) words += rival.rsp.payload.toLong // of the address before
+      if (asked > 0 && rival.rsp.valid.toBoolean) words += rival.rsp.payload.toLong
+      if (asked < layout.bankWords && rival.cmd.ready.toBoolean) {
+        asked += 1
+        rival.cmd.valid #= asked < layout.bankWords
+        rival.cmd.address #= (bank << layout.bankAddressBits) | asked.min(layout.bankWords - 1)
+      }
     }
-    rival.cmd.valid #= false
-    clock.waitSampling()
     words.toIndexedSeq
   }
 }
