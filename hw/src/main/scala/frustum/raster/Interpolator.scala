@@ -46,11 +46,12 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   val row  = rows.m2sPipe()
   val leftwards = RegInit(False)
   when(rows.fire) { leftwards := !leftwards && !rows.end }
-  rows.arbitrationFrom(io.spans)
-  rows.y := io.spans.y
-  rows.near := leftwards ? io.spans.last | io.spans.first
-  rows.far := leftwards ? io.spans.first | io.spans.last
-  rows.end := io.spans.end
+  val spans = io.spans.halfPipe() // cuts the way of ready; rows take several clocks each
+  rows.arbitrationFrom(spans)
+  rows.y := spans.y
+  rows.near := leftwards ? spans.last | spans.first
+  rows.far := leftwards ? spans.first | spans.last
+  rows.end := spans.end
   rows.leftwards := leftwards
   rows.seekLeft := rows.near < row.far
 
@@ -62,14 +63,17 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   val ending  = RegInit(False) // clock 2 of a tile's end
   val free    = Bool()         // the register of `down` is
   val advance = free && row.valid // a move goes from clock 2 to the register of `down`
-  val covered = y === row.y && (drawing || x === row.near)
-  val rowDone = covered && x === row.far
-  val inRow   = y === row.y && !rowDone
+  val atY, atNear, atFar = Bool()
+  atY := y === row.y
+  atNear := x === row.near
+  atFar := x === row.far
+  val covered = atY && (drawing || atNear)
+  val rowDone = covered && atFar
+  val inRow   = atY && !((drawing || atNear) && atFar)
   val finish  = moving && row.end
-  val toLeft  = (drawing || x === row.near) ? row.leftwards | row.seekLeft
-  val entry   = UInt(3 bits)
-  entry := inRow ? (toLeft ? U(Coefficient.Left, 3 bits) | U(Coefficient.Right, 3 bits)) | U(Coefficient.Down, 3 bits)
-  when(!moving) { entry := io.token.parity.asUInt.resized }
+  val toLeft  = (drawing || atNear) ? row.leftwards | row.seekLeft
+  // Coefficient.Left or Right, Down, or an Initial one
+  val entry   = (moving && !inRow) ## (moving && inRow) ## (moving ? (inRow && toLeft) | io.token.parity)
   val starts  = !moving && !ending && io.token.valid && !io.token.tileEnd && row.valid
   val ends    = !moving && !ending && io.token.valid && io.token.tileEnd
   val moves   = (moving || starts) && advance
@@ -97,7 +101,7 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   val planes = for ((width, plane) <- widths.zipWithIndex) yield new Area {
     val memory = Mem(SInt(width bits), slots * 8)
     memory.write(io.write.slot @@ io.write.entry, io.write.value.resize(width), io.write.valid && io.write.plane === plane)
-    val coefficient = memory.readSync(io.token.slot @@ entry, enable = moves, readUnderWrite = dontCare)
+    val coefficient = memory.readSync(io.token.slot @@ entry.asUInt, enable = moves, readUnderWrite = dontCare)
     val value = RegInit(S(0, width bits))
     when(moving && advance) {
       value := value + coefficient + complement.asUInt.resize(width).asSInt

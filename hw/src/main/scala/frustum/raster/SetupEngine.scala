@@ -9,7 +9,7 @@ import spinal.lib._
 /** A result on its way from the engine to whoever takes it. */
 case class SetupResult() extends Bundle {
   val kind   = UInt(3 bits) // SetupInstruction.Result.code
-  val target = UInt(6 bits)
+  val target = UInt(SetupWords.CodeBits bits) // a word's code, a plane or an edge
   val value  = SInt(32 bits)
 }
 
@@ -22,6 +22,7 @@ case class SetupResult() extends Bundle {
   */
 case class SetupEngine(slots: Int, tech: Tech) extends Component {
   import SetupInstruction._
+  import SetupWords.CodeBits
 
   val sectionBits = log2Up(SetupProgram.sections.length)
   val words = SetupWords.SharedWords + slots * SetupWords.SlotWords
@@ -31,7 +32,7 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
     val sliver   = in Bool () // gradients are integers, not fractions
     val idle     = out Bool ()
     val write    = slave Flow (ScratchWrite())
-    val read     = in UInt (6 bits)
+    val read     = in UInt (SetupWords.CodeBits bits)
     val readData = out SInt (32 bits)
     val result   = master Flow (SetupResult())
     val overflow = out Bool () // a checked result did not fit, since the last run began
@@ -64,32 +65,26 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   class Control extends Bundle {
     val subtract = Bool()
     val start    = UInt(2 bits)
-    val target   = UInt(6 bits)
+    val target   = UInt(CodeBits bits)
     val kind     = UInt(3 bits)
   }
   val instruction = new Control
-  instruction.assignFromBits(word(12, 12 bits))
-  val wordA = word(0, 6 bits).asUInt
-  val wordB = word(6, 6 bits).asUInt
+  instruction.assignFromBits(word(14, 13 bits))
+  val wordA  = word(0, CodeBits bits).asUInt
+  val wordB  = word(CodeBits, CodeBits bits).asUInt
+  val atLeft = word(27)
+  val atTop  = word(28)
 
   // Clock 0 reads b, clock 1 a. An edge's walk starts at the side from which its function grows.
   val scratch = Mem(SInt(32 bits), words)
   scratch.init((0 until words).map(n => S(SetupWords.constants.getOrElse(n + SetupWords.Shared, 0), 32 bits)))
   val bases = Vec((0 until slots).map(n => U(SetupWords.SharedWords + n * SetupWords.SlotWords, log2Up(words) bits)))
-  val slotBase = bases(io.slot)
-  def address(word: UInt): UInt = {
-    val shared = word >= SetupWords.Shared
-    (shared ? U((-SetupWords.Shared) & ((1 << log2Up(words)) - 1), log2Up(words) bits) | slotBase) + word
-  }
-  val readWord = UInt(6 bits)
+  val slotBase = RegNext(bases(io.slot))
+  def address(code: UInt): UInt = (code.msb ? U(0, log2Up(words) bits) | slotBase) + code(CodeBits - 2 downto 0)
+  val readWord = UInt(CodeBits bits)
   val data     = scratch.readSync(address(readWord), readUnderWrite = dontCare)
-  val atLeft   = wordA === SetupWords.Left
-  val atTop    = wordA === SetupWords.Top
-  readWord := io.read
-  when(executing) {
-    readWord := phase ? wordA | wordB
-    when(phase && atLeft && data.msb =/= instruction.subtract) { readWord := SetupWords.Right }
-  }
+  readWord := executing ? (phase ? wordA | wordB) | io.read
+  when(executing && phase && atLeft && data.msb =/= instruction.subtract) { readWord.lsb := True } // Right
   io.readData := data
 
   val operandStep = (data >> 16).resize(17)

@@ -1,14 +1,14 @@
 package frustum.raster
 
 import frustum.link.StoreBus
-import frustum.spec.{FetchProgram, StoreLayout}
+import frustum.spec.{FetchProgram, SetupWords, StoreLayout}
 import frustum.spec.FetchProgram.Field
 import spinal.core._
 import spinal.lib._
 
 /** A word for the set-up engine's scratch memory. */
 case class ScratchWrite() extends Bundle {
-  val word = UInt(6 bits)
+  val word = UInt(SetupWords.CodeBits bits)
   val data = SInt(32 bits)
 }
 
@@ -43,7 +43,7 @@ case class SetupFetch(layout: StoreLayout, spareRows: Int) extends Component {
     val bank     = in UInt (1 bits)
     val values   = in(FetchValues())
     val store    = master(StoreBus(layout))
-    val read     = out UInt (6 bits)
+    val read     = out UInt (SetupWords.CodeBits bits)
     val readData = in SInt (32 bits)
     val write    = master Flow (ScratchWrite())
     val spare    = slave(SpareRows(spareRows))
@@ -57,7 +57,10 @@ case class SetupFetch(layout: StoreLayout, spareRows: Int) extends Component {
   val lastVertex = vertex.msb
   nextRow := row
   row := nextRow
-  io.idle := state === State.Idle
+  val start   = RegNext(io.start, False)
+  val program = RegNext(io.program)
+  val resting = state === State.Idle && !start
+  io.idle := resting
 
   // The table: the programs, then the spare rows.
   val firstSpare = FetchProgram.Rows
@@ -71,19 +74,19 @@ case class SetupFetch(layout: StoreLayout, spareRows: Int) extends Component {
     io.spare.write.valid
   )
   val read = table.readSync(
-    io.spare.free ? (U(firstSpare, log2Up(rows) bits) | io.spare.address.resize(log2Up(rows))) | nextRow.resize(log2Up(rows)),
+    resting ? (U(firstSpare, log2Up(rows) bits) | io.spare.address.resize(log2Up(rows))) | nextRow.resize(log2Up(rows)),
     readUnderWrite = dontCare
   )
-  io.spare.free := io.idle && !io.start
+  io.spare.free := resting
   io.spare.data := read(9 downto 0).asUInt
-  val target     = read(0, 6 bits).asUInt
-  val origin     = read(6, 6 bits).asUInt
-  val field      = read(12, 4 bits)
-  val word       = read(16, 3 bits).asUInt
-  val upper      = read(19)
-  val take       = read(20)
-  val lastOfWord = read(21)
-  val last       = read(22)
+  val target     = read(0, 7 bits).asUInt
+  val origin     = read(7, 7 bits).asUInt
+  val field      = read(14, 4 bits)
+  val word       = read(18, 3 bits).asUInt
+  val upper      = read(21)
+  val take       = read(22)
+  val lastOfWord = read(23)
+  val last       = read(24)
   def isField(kind: Field.Value) = field === kind.id
 
   // Store reads: the vertices' indices, the three exponents, then word after word of each vertex. Indices and exponents
@@ -143,11 +146,11 @@ case class SetupFetch(layout: StoreLayout, spareRows: Int) extends Component {
 
   switch(state) {
     is(State.Idle) {
-      nextRow := io.program
+      nextRow := program
       largest := 0
-      when(io.start) {
-        ask := !io.program.msb
-        state := io.program.msb ? State.Write | State.Vertices
+      when(start) {
+        ask := !program.msb
+        state := program.msb ? State.Write | State.Vertices
       }
     }
     is(State.Vertices) {

@@ -12,7 +12,7 @@ case class SlotJob(config: RasterConfig, slots: Int) extends Bundle {
 }
 
 /** Finds the slot of a job's triangle, one candidate a clock, or gives it the slot that was given away longest ago. The
-  * slots' triangles lie in spare rows of the set-up's table. Takes 3 to `slots` + 4 clocks, while the job before is set
+  * slots' triangles lie in spare rows of the set-up's table. Takes 4 to `slots` + 5 clocks, while the job before is set
   * up.
   */
 case class SlotLookup(config: RasterConfig, slots: Int) extends Component {
@@ -26,9 +26,13 @@ case class SlotLookup(config: RasterConfig, slots: Int) extends Component {
   val state  = RegInit(State.Idle)
   val next   = Reg(UInt(log2Up(slots) bits))     // the slot given away next
   val filled = Reg(UInt(log2Up(slots + 1) bits)) // slots given away in this frame
-  val asked  = Reg(UInt(log2Up(slots + 1) bits))
-  val looked = RegNext(asked)
+  val asked  = Reg(UInt(log2Up(slots + 3) bits))
+  // Two clocks after a candidate is asked for it is known whether it is the triangle's.
   val fresh  = RegNext(io.tags.free, False)
+  val looked = Delay(asked, 2)
+  val beyond = RegNext(RegNext(asked) === filled)
+  val same   = RegNext(io.tags.data === io.up.triangle)
+  val judged = RegNext(fresh, False)
   val slot   = Reg(UInt(log2Up(slots) bits))
 
   io.tags.address := asked.resized
@@ -45,18 +49,19 @@ case class SlotLookup(config: RasterConfig, slots: Int) extends Component {
     is(State.Idle) {
       asked := 0
       fresh := False
+      judged := False
       slot := next
       when(io.up.valid) { state := io.up.tileEnd ? State.Found | State.Search }
     }
     is(State.Search) {
       when(io.tags.free) { asked := asked + 1 }
-      when(fresh) {
-        when(looked === filled) {
+      when(judged) {
+        when(beyond) {
           io.tags.write.valid := True
           state := State.Missed
           next := (next === slots - 1) ? U(0) | next + 1
           when(filled =/= slots) { filled := filled + 1 }
-        } elsewhen (io.tags.data === io.up.triangle) {
+        } elsewhen (same) {
           slot := looked.resized
           state := State.Found
         }

@@ -37,7 +37,10 @@ case class TileSequencer(config: RasterConfig) extends Component {
   val inside   = RegNext(field(3) <= tile.tileX) && RegNext(field(2) >= tile.tileX) &&
     RegNext(field(1) <= tile.tileY) && RegNext(field(0) >= tile.tileY)
   val boxState = RegNext(response.payload(31 downto 28).asUInt)
-  val ended    = triangle === frame.triangleCount
+  val nextTriangle = UInt(11 bits)
+  val ended    = RegNext(nextTriangle === frame.triangleCount)
+  nextTriangle := triangle
+  triangle := nextTriangle
   val hitTriangle = Reg(UInt(10 bits))
   val hitState    = Reg(UInt(4 bits))
 
@@ -65,7 +68,7 @@ case class TileSequencer(config: RasterConfig) extends Component {
       when(io.frame.valid) { state := State.Tile }
     }
     is(State.Tile) {
-      triangle := 0
+      nextTriangle := 0
       asked := 0
       when(io.tile.ready) { state := State.Settle }
     }
@@ -74,7 +77,7 @@ case class TileSequencer(config: RasterConfig) extends Component {
       when(ended) {
         state := State.End
       } elsewhen (looking) {
-        triangle := triangle + 1
+        nextTriangle := triangle + 1
         hitTriangle := triangle.resized
         hitState := boxState
         when(inside) { state := State.Hand }

@@ -94,7 +94,8 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     area := result.value.asUInt.resized
     backward := result.value.msb
   }
-  val empty = Vec.fill(slots)(Reg(Bool())) // the slot's triangle draws nothing
+  val empty   = Vec.fill(slots)(Reg(Bool())) // the slot's triangle draws nothing
+  val isEmpty = RegNext(empty(slot))
 
   // The tile's last column and row on the screen.
   private def lastIn(tile: UInt, log2: Int, size: Int) =
@@ -117,11 +118,11 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
 
   import SetupProgram.{SectionArea, SectionAttributes, SectionEdges, SectionGradients, SectionRebase, SectionSteps}
   object State extends SpinalEnum {
-    val Idle, Area, Facing, Normalise, Attributes, GradientShift, Steps, Check, Gradients, Corner, Edges, Walk, Look,
-      Pixel, Rebase, Hand, Wait = newElement()
+    val Idle, Begin, Area, Facing, Normalise, Attributes, GradientShift, Steps, Check, Gradients, Corner, Edges, Walk, Look,
+      Pixel, Rebase, Hand = newElement()
   }
-  val state = RegInit(State.Idle)
-  val after = Reg(State()) // where to go when engine and fetch are idle
+  val state   = RegInit(State.Idle)
+  val busy    = RegInit(False) // engine or fetch are at work; `state` is what comes then
   engine.io.run.valid := False
   engine.io.run.payload.assignDontCare()
   fetch.io.start := False
@@ -129,14 +130,14 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   def run(section: Int, next: State.E): Unit = {
     engine.io.run.valid := True
     engine.io.run.payload := section
-    after := next
-    state := State.Wait
+    busy := True
+    state := next
   }
   def load(program: Int, next: State.E): Unit = {
     fetch.io.start := True
     fetch.io.program := program
-    after := next
-    state := State.Wait
+    busy := True
+    state := next
   }
 
   found.ready := False
@@ -144,19 +145,26 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   io.moved := False
   walker.io.start := False
 
-  switch(state) {
+  when(busy) {
+    busy := !engine.io.idle || !fetch.io.idle
+  } otherwise { switch(state) {
     is(State.Idle) {
       sliver := False
       place := 30
-      when(found.valid) {
-        when(job.tileEnd) {
-          token.valid := True
-          found.ready := token.ready
-        } elsewhen (found.known) {
-          when(empty(slot)) { found.ready := True } otherwise { state := State.Corner }
-        } elsewhen (!slotUsed) {
-          load(0, State.Area)
+      when(found.valid) { state := State.Begin }
+    }
+    is(State.Begin) {
+      when(job.tileEnd) {
+        token.valid := True
+        when(token.ready) {
+          found.ready := True
+          state := State.Idle
         }
+      } elsewhen (found.known) {
+        found.ready := isEmpty
+        state := isEmpty ? State.Idle | State.Corner
+      } elsewhen (!slotUsed) {
+        load(0, State.Area)
       }
     }
     is(State.Area) { run(SectionArea, State.Facing) }
@@ -216,6 +224,5 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
         state := State.Idle
       }
     }
-    is(State.Wait) { when(engine.io.idle && fetch.io.idle) { state := after } }
-  }
+  } }
 }

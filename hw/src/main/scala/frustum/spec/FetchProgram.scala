@@ -75,14 +75,14 @@ object FetchProgram {
   /** Rows from here on hold other things. */
   val Rows = 64
 
-  /** Bits of a row: last 1, last of its store word 1, take 1, upper 1, word 3, field 4, origin 6, target 6. */
-  val RowBits = 23
+  /** Bits of a row: last 1, last of its store word 1, take 1, upper 1, word 3, field 4, origin 7, target 7. */
+  val RowBits = 25
 
   private def encode(program: Seq[Row]): Seq[Int] = program.zipWithIndex.map { case (r, n) =>
     val next = program.lift(n + 1)
     def bit(b: Boolean, at: Int) = (if (b) 1 else 0) << at
-    bit(next.isEmpty, 22) | bit(next.forall(_.word != r.word), 21) | bit(r.take, 20) | bit(r.upper, 19) |
-      r.word << 16 | r.field.id << 12 | r.origin << 6 | r.target
+    bit(next.isEmpty, 24) | bit(next.forall(_.word != r.word), 23) | bit(r.take, 22) | bit(r.upper, 21) |
+      r.word << 18 | r.field.id << 14 | code(r.origin) << 7 | code(r.target)
   }
 
   val image: Seq[Int] = {

@@ -43,19 +43,23 @@ object SetupInstruction {
   /** Integer: edge function `edge` at the walker's corner; its steps are `b` of the products with `Left` and `Top`. */
   final case class Edge(edge: Int) extends Result(7)
 
-  /** Bits of an instruction word: result code 3, target 6, start 2, subtract 1, b 6, a 6. */
-  val WordBits = 24
+  /** Bits of an instruction word: a is `Top` 1, a is `Left` 1, result code 3, target 7, start 2, subtract 1, b 7, a 7.
+    * Words are named by [[SetupWords.code]].
+    */
+  val WordBits = 29
   def encode(i: SetupInstruction): Int = {
     val target = i.result match {
       case Nowhere      => 0
-      case Integer(w)   => w
-      case Fraction(w)  => w
-      case Checked(w)   => w
+      case Integer(w)   => SetupWords.code(w)
+      case Fraction(w)  => SetupWords.code(w)
+      case Checked(w)   => SetupWords.code(w)
       case GradientX(p) => p
       case GradientY(p) => p
       case Initial(p)   => p
       case Edge(e)      => e
     }
-    i.result.code << 21 | target << 15 | i.start.code << 13 | (if (i.subtract) 1 << 12 else 0) | i.b << 6 | i.a
+    def bit(b: Boolean, at: Int) = (if (b) 1 else 0) << at
+    bit(i.a == SetupWords.Top, 28) | bit(i.a == SetupWords.Left, 27) | i.result.code << 24 | target << 17 |
+      i.start.code << 15 | bit(i.subtract, 14) | SetupWords.code(i.b) << 7 | SetupWords.code(i.a)
   }
 }

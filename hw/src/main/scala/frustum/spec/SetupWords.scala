@@ -5,9 +5,13 @@ package frustum.spec
   */
 object SetupWords {
   val SlotWords = 38
-  val SharedWords = 25
+  val SharedWords = 26
   /** First shared word. */
-  val Shared = 39
+  val Shared = SlotWords
+
+  /** Hardware's name of a word, [[CodeBits]] wide: a flag for shared ones, then the place in the slot or among them. */
+  def code(word: Int): Int = if (word >= Shared) 1 << (CodeBits - 1) | word - Shared else word
+  val CodeBits = 7
   val Planes    = 8
 
   // The slot, kept while the triangle is cached. Positions in 1/16 pixel;
@@ -46,7 +50,9 @@ object SetupWords {
   val Temporary = Seq(44, 45, 46, 47)
 
   // Shared: used by the move to a tile, positions relative to vertex 0.
-  /** The tile's left and right columns and its top row, 1/16 pixel. */
+  /** The tile's left and right columns and its top row, 1/16 pixel. The code of `Right` is that of `Left` with its last
+    * bit set.
+    */
   val Left = 56; val Right = 57; val Top = 58
   /** First pixel, times 2^16. */
   val PixelX_16 = 56; val PixelY_16 = 57
