@@ -7,7 +7,8 @@ import spinal.core._
   * is low.
   *
   * @param add
-  *   O = A * B + {C, D} by the block's adders, otherwise O = A * B and C, D are not used
+  *   O = A * B + {C, D} by the block's adders, or {C, D} - A * B while both ADDSUB are high, otherwise O = A * B and
+  *   C, D are not used
   */
 case class Mac16(signedA: Boolean, signedB: Boolean, add: Boolean) extends BlackBox {
   setDefinitionName("SB_MAC16")

@@ -11,11 +11,20 @@ import spinal.core._
   *   whether that operand is two's complement; the product is, if either operand is
   * @param add
   *   the product is a * b + addend modulo 2^32 instead, the addend given with the operands
+  * @param subtract
+  *   with `add`: the product is addend - a * b
   * @param hold
   *   while `holdA` is high, the operand a registered last is used again
   */
-case class Multiplier16(tech: Tech, signedA: Boolean, signedB: Boolean, add: Boolean = false, hold: Boolean = false)
-    extends Component {
+case class Multiplier16(
+    tech: Tech,
+    signedA: Boolean,
+    signedB: Boolean,
+    add: Boolean = false,
+    subtract: Boolean = false,
+    hold: Boolean = false
+) extends Component {
+  require(add || !subtract, s"Multiplier16: subtract $subtract without add")
   val io = new Bundle {
     val enable = in Bool ()
     val a, b = in Bits (16 bits)
@@ -44,21 +53,22 @@ case class Multiplier16(tech: Tech, signedA: Boolean, signedB: Boolean, add: Boo
         mac.io.ORSTBOT,
         mac.io.OLOADTOP,
         mac.io.OLOADBOT,
-        mac.io.ADDSUBTOP,
-        mac.io.ADDSUBBOT,
         mac.io.OHOLDTOP,
         mac.io.OHOLDBOT,
         mac.io.CI,
         mac.io.ACCUMCI,
         mac.io.SIGNEXTIN
       ).foreach(_ := False)
+      mac.io.ADDSUBTOP := Bool(subtract)
+      mac.io.ADDSUBBOT := Bool(subtract)
       io.product := mac.io.O
     case Tech.Generic =>
       def extended(v: Bits, signed: Boolean) = if (signed) v.asSInt.resize(17) else v.asUInt.resize(17).asSInt
       val a = RegNextWhen(io.a, io.enable && !holdA)
       val b = RegNextWhen(io.b, io.enable)
       val product = (extended(a, signedA) * extended(b, signedB)).resize(32)
-      val sum = if (add) product + RegNextWhen(io.addend, io.enable).asSInt else product
+      def addend = RegNextWhen(io.addend, io.enable).asSInt
+      val sum = if (subtract) addend - product else if (add) product + addend else product
       io.product := RegNextWhen(sum.asBits, io.enable)
   }
 }

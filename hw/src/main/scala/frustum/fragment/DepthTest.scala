@@ -10,7 +10,8 @@ import spinal.lib._
   * fragment a clock, latency 1 clock, never stalls.
   *
   * A fragment reads its word when it enters, which tells its bank, and writes it a clock later, when `z` is
-  * its depth and `passed` the result: [[Interlock]] keeps fragments of one pixel apart.
+  * its depth and `passed` the result: [[Interlock]] keeps fragments of one pixel apart. The memory holds the
+  * complement of the depth, so that carries alone compare.
   */
 case class DepthTest(config: RasterConfig) extends Component {
   val io = new Bundle {
@@ -27,23 +28,24 @@ case class DepthTest(config: RasterConfig) extends Component {
   when(io.up.valid && io.up.tileEnd) { bank := ~bank }
   val memory = TileMemory(config, 16, resolved = false)
   memory.io.clear <> io.clear
-  memory.io.clearValue := 0xffff
+  memory.io.clearValue := 0
   memory.io.readEnable := True
   memory.io.readBank := bank
   memory.io.readAddress := io.up.address
 
   val stored = io.up.m2sPipe
   val storedBank = RegNext(bank)
-  val depth = memory.io.readData.asUInt
+  val complement = memory.io.readData.asUInt
   val passing = io.state.depthFunction
-  // Two subtractions: synthesis makes a comparison for equality of many levels of logic.
-  val nearer = (io.z -^ depth).msb
-  val farther = (depth -^ io.z).msb
+  // z + ~depth overflows where z is greater, and with a carry in where z is no less. Two carry chains: synthesis
+  // makes a comparison for equality of many levels of logic.
+  val farther = (io.z +^ complement).msb
+  val nearer = !((io.z ## True).asUInt +^ (complement ## True).asUInt).msb
   val pass = Mux(nearer, passing(0), Mux(farther, passing(2), passing(1)))
   memory.io.writeEnable := stored.valid && !stored.tileEnd && pass && io.state.depthWrite
   memory.io.writeBank := storedBank
   memory.io.writeAddress := stored.address
-  memory.io.writeData := io.z.asBits
+  memory.io.writeData := ~io.z.asBits
 
   io.passed := stored.tileEnd || pass
   io.down.valid := io.up.valid

@@ -10,7 +10,7 @@ import spinal.lib._
   *
   * Both banks hold the clear colour between tiles. A frame with another clear colour than the last (and the
   * first one) waits until nothing is in flight and clears both banks, which takes one clock a word; otherwise
-  * `start` is taken at once.
+  * `start` is taken in its second clock.
   */
 case class Resolver(config: RasterConfig) extends Component {
   val io = new Bundle {
@@ -37,8 +37,10 @@ case class Resolver(config: RasterConfig) extends Component {
   when(io.tileEnd.valid) { pending := True; bank := io.tileEnd.payload }
   when(io.tile.fire) { walking := True; position := io.tile.payload }
 
-  io.start.ready := clean && color === io.start.clearColor
-  when(io.start.valid && !io.start.ready && !io.drawing && !pending && !clearing) {
+  val looked = RegNext(io.start.valid && !io.start.ready) init False // `same` concerns the frame that is offered
+  val same = RegNext(color === io.start.clearColor)
+  io.start.ready := looked && clean && same
+  when(looked && !(clean && same) && !io.drawing && !pending && !clearing) {
     color := io.start.clearColor
     clean := False
     clearing := True

@@ -8,20 +8,23 @@ import spinal.lib._
 
 /** The scene store: one access a clock, shared by `clients` with fixed priority, client 0 first. Who has the port is
   * decided a clock ahead, so that no client's valid lies in the way of an address: a request is taken in the clock after
-  * it is seen at the earliest, those that follow without a gap at one a clock. A request must stay until it is taken. A
-  * read is answered to its client one clock after it is taken. Only the last client, by custom the decoder, may write:
+  * it is seen at the earliest, those that follow without a gap at one a clock. While nobody asks, the last client but
+  * one, by custom the tile sequencer, has the port. A request must stay until it is taken. A read is answered to its
+  * client one clock after it is taken. Only the last client, by custom the decoder, may write:
   * the others' `write` and `data` are not looked at. 16 K x 32 for the default layout: two SPRAM of the iCE40UP5K side
   * by side.
   */
 case class Store(layout: StoreLayout, clients: Int, tech: Tech) extends Component {
+  require(clients >= 2, s"Store: $clients clients, at least 2")
   val io = new Bundle {
     val clients = Vec.fill(Store.this.clients)(slave(StoreBus(layout)))
   }
 
-  val ram    = SinglePortRam(1 << layout.addressBits, 32, tech)
-  val writer = io.clients.last.cmd
+  val ram     = SinglePortRam(1 << layout.addressBits, 32, tech)
+  val writer  = io.clients.last.cmd
   // Whoever asks now has the port in the next clock, even if what it asks for is being taken: it may ask again.
-  val first   = OHMasking.first(Vec(io.clients.map(_.cmd.valid)))
+  val asking  = io.clients.map(_.cmd.valid).toSeq
+  val first   = OHMasking.first(Vec(asking.updated(clients - 2, asking(clients - 2) || !asking.last)))
   val granted = Vec(first.map(RegNext(_, False)))
   val chosen  = RegNext(OHToUInt(first)) // the same as a number
 

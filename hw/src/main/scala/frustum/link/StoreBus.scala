@@ -12,7 +12,8 @@ case class StoreCmd(layout: StoreLayout) extends Bundle {
 }
 
 /** Access to the scene store: a read's data comes on `rsp` exactly one clock after its `cmd` fires, in order. A `cmd`
-  * stays until it is taken, which is a clock after it appears at the earliest. */
+  * stays until it is taken.
+  */
 case class StoreBus(layout: StoreLayout) extends Bundle with IMasterSlave {
   val cmd = Stream(StoreCmd(layout))
   val rsp = Flow(Bits(32 bits))

@@ -13,8 +13,8 @@ import spinal.lib.misc.pipeline._
   *   1. q is normalised: q 2^e has bit 30 set, e = 0..15 (a smaller q gives a wrong coordinate, nothing
   *      worse); qn = q 2^e / 2^31 = (1 + f) / 2
   *   1. r = 2 f / (1 + f) from [[frustum.spec.ReciprocalTable]], 16 fraction bits, so 1 / qn = 2 - r
-  *   1. s is shifted by the same e: sn, 22 fraction bits; result 2 sn - sn r, where -sn is taken as ~sn so
-  *      that the multipliers add: low by at most 2^-21; cut to 17 fraction bits. The lower four bits of sn are
+  *   1. s is shifted by the same e: sn, 22 fraction bits; result 2 sn - sn r, the multipliers subtracting, of
+  *      which the lower one takes the complement: low by at most 2^-22; cut to 17 fraction bits. The lower four bits of sn are
   *      replaced by ones: they need no shifting, a power of two as q stays exact, and the error of cutting
   *      lies on both sides of zero
   *
@@ -98,13 +98,14 @@ case class PerspectiveDivide(tech: Tech) extends Component {
     line(2)(BY2) := Mux(line(2)(FINE)(1), line(2)(BY4) |<< 2, line(2)(BY4))
     line(3)(SN) := (Mux(line(3)(FINE)(0), line(3)(BY2) |<< 1, line(3)(BY2)) >> 1) | 15
 
-    val high = Multiplier16(tech, signedA = true, signedB = false, add = true)
-    val low = Multiplier16(tech, signedA = false, signedB = false)
+    val high = Multiplier16(tech, signedA = true, signedB = false, add = true, subtract = true)
+    val low = Multiplier16(tech, signedA = false, signedB = false, add = true, subtract = true)
     for (m <- Seq(high, low)) { m.io.enable := enable; m.io.b := r }
-    high.io.a := ~line(4)(SN)(30 downto 16).resize(16).asBits
+    high.io.a := line(4)(SN)(30 downto 16).resize(16).asBits
     high.io.addend := (line(4)(SN) << 1).asBits
-    low.io.a := ~line(4)(SN)(15 downto 0).asBits
-    line(6)(RESULT) := (high.io.product.asSInt + low.io.product(31 downto 16).resize(32).asSInt)
+    low.io.a := line(4)(SN)(15 downto 0).asBits
+    low.io.addend := B(32 bits, default -> True) // -1, so the product is the complement, its sign beyond the word
+    line(6)(RESULT) := (high.io.product.asSInt + (B"xFFFF" ## low.io.product(31 downto 16)).asSInt)
       .drop(5)
       .asSInt
     def result: SInt = line(7)(RESULT)

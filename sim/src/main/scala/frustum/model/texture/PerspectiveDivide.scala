@@ -14,8 +14,8 @@ object PerspectiveDivide {
   /** The coordinate in repeats, 17 fraction bits. */
   def quotient(s: Int, exponent: Int, reciprocal: Int): Int = {
     val sn = (s << exponent) >> 1 | 15
-    val product = (~sn >> 16) * reciprocal + (((~sn & 0xffff) * reciprocal) >>> 16)
-    (2 * sn + product) >> 5
+    val product = (sn >> 16) * reciprocal + (((sn & 0xffff) * reciprocal) >>> 16)
+    (2 * sn - product - 1) >> 5
   }
 
   def apply(s: Int, q: Int): Int = {
