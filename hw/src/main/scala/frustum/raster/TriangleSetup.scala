@@ -94,6 +94,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     area := result.value.asUInt.resized
     backward := result.value.msb
   }
+  val nothing = RegNext(backward || area === 0)
   val empty   = Vec.fill(slots)(Reg(Bool())) // the slot's triangle draws nothing
   val isEmpty = RegNext(empty(slot))
 
@@ -170,8 +171,8 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     is(State.Area) { run(SectionArea, State.Facing) }
     is(State.Facing) {
       state := State.Normalise
-      empty(slot) := backward || area === 0
-      when(backward || area === 0) {
+      empty(slot) := nothing
+      when(nothing) {
         found.ready := True
         state := State.Idle
       }
