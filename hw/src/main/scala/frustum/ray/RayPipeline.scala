@@ -67,6 +67,11 @@ case class RayPipeline(config: RayConfig) extends Component {
   val WALL = Payload(Bits(Wall.all.size bits))
   val QUADS = Payload(Bits(scene.quads.size.max(1) bits))
   val SHADOW = Payload(Bool())
+  val HITS = Payload(Bits(Wall.all.size bits))
+  val CONES = Payload(Bits(Wall.all.size bits))
+  private val normals = Seq.fill(3)(Payload(SInt(widthN bits)))
+  private val offsets = Seq.fill(Wall.all.size)(Seq.fill(2)(Payload(UInt(widthU bits))))
+  private val QUAD_SIDES = Payload(Bits(scene.quads.size.max(1) bits))
   val N = Payload(UInt(widthN bits))
   private val rests = Seq.fill(divisions + 1)(Seq.fill(2)(Payload(UInt(widthU bits))))
   private val parities = Seq.fill(divisions)(Seq.fill(2)(Payload(Bool())))
@@ -82,21 +87,30 @@ case class RayPipeline(config: RayConfig) extends Component {
     val hits = Wall.all.zip(n).map { case (w, n) =>
       n > 0 && w.across.map(u => inside(walkers(s"across${w.index}_$u"), extent(u), n)).reduce(_ && _)
     }
-    val first = OHMasking.first(hits.asBits())
-    s0(WALL) := first
-    s0(N) := MuxOH.or(first, n.map(_.asUInt))
-    for (j <- 0 to 1)
-      s0(rests.head(j)) := MuxOH.or(first, Wall.all.map(w => walkers(s"across${w.index}_${w.across(j)}").resize(widthU).asUInt))
+    s0(HITS) := hits.asBits()
+    for (a <- 0 to 2) s0(normals(a)) := walkers(s"direction$a").resized
+    for (w <- Wall.all; j <- 0 to 1) s0(offsets(w.index)(j)) := walkers(s"across${w.index}_${w.across(j)}").resize(widthU).asUInt
     val quads = scene.quads.zipWithIndex.map { case (q, i) =>
-      first.msb && (0 to 1).map(u => inside(walkers(s"quad${i}_$u"), 2 * q.half, n.last)).reduce(_ && _)
+      (0 to 1).map(u => inside(walkers(s"quad${i}_$u"), 2 * q.half, n.last)).reduce(_ && _)
     }
-    s0(QUADS) := (if (quads.isEmpty) B(0, 1 bits) else quads.asBits())
+    s0(QUAD_SIDES) := (if (quads.isEmpty) B(0, 1 bits) else quads.asBits())
     val shadows = for (_ <- scene.light.toSeq; i <- scene.spheres.indices) yield {
       val cone = Wall.all.map(w => walkers(s"gate${i}_${w.index}") > 0 && walkers(s"shadow${i}_${w.index}") >= 0)
       val enclosed = walkers.get(s"enclosed$i").map(_ <= 0).getOrElse(False)
-      enclosed || (cone.asBits() & first).orR
+      cone.asBits() | B(Wall.all.size bits, default -> enclosed)
     }
-    s0(SHADOW) := shadows.foldLeft(False)(_ || _)
+    s0(CONES) := shadows.foldLeft(B(0, Wall.all.size bits))(_ | _)
+  }
+
+  /** The first wall hit, and what belongs to it. */
+  val select = new Area {
+    val s1 = line(1)
+    val first = OHMasking.first(s1(HITS))
+    s1(WALL) := first
+    s1(N) := MuxOH.or(first, Wall.all.map { w => val d = s1(normals(w.axis)); (if (w.sign > 0) d else -d).asUInt })
+    for (j <- 0 to 1) s1(rests.head(j)) := MuxOH.or(first, offsets.map(o => s1(o(j))))
+    s1(QUADS) := Mux(first.msb, s1(QUAD_SIDES), B(0, scene.quads.size.max(1) bits))
+    s1(SHADOW) := (s1(CONES) & first).orR
   }
 
   /** The nearest sphere hit: the one whose centre is nearest along the ray. */
@@ -116,7 +130,7 @@ case class RayPipeline(config: RayConfig) extends Component {
 
   /** Quotients by the checker's cell, two bits a stage; only the last bit is kept. */
   for (k <- 0 until divisions; j <- 0 to 1) {
-    val node = line(k + 1)
+    val node = line(k + 2)
     val bits = (0 until quotientBits).reverse.slice(2 * k, 2 * k + 2)
     var rest: UInt = node(rests(k)(j))
     var bit: Bool = False
@@ -132,7 +146,7 @@ case class RayPipeline(config: RayConfig) extends Component {
 
   /** Colours of what is hit. */
   val paint = new Area {
-    val last = line(divisions + 1)
+    val last = line(divisions + 2)
     private def constant(c: Int) = B(c, 24 bits)
     val cells = (0 to 2).map { a =>
       Wall.all.map { w =>
