@@ -17,7 +17,7 @@ import spinal.lib._
   *   - a refused command changes nothing, but for texels that run beyond the memory, of which those within it are
   *     written, and for `begin`, which ends the frame begun before it in any case
   *   - a refused vertex leaves its slot with a tag of another frame; a position out of range is not stored
-  *   - a triangle costs about 35 clocks, a vertex 16
+  *   - a triangle costs about 45 clocks, a vertex 26
   */
 case class CommandDecoder(config: RasterConfig) extends Component {
   val layout = StoreLayout(config)
@@ -35,6 +35,7 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   val state   = RegInit(header)
   val opcode  = Reg(UInt(3 bits))
   val left    = Reg(UInt(7 bits)) // payload words still to come
+  val none    = Reg(Bool()) // are
   val refused = Reg(Bool())
   val data    = Reg(Bits(32 bits)) // the last two words
   val word    = io.words.payload
@@ -44,7 +45,10 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   val took   = take && io.words.valid
   val rotate = False // the next corner's index moves down
   io.words.ready := take || state === header
-  when(took)(left := left - 1)
+  when(took) {
+    left := left - 1
+    none := left === 1
+  }
   when(took || rotate) {
     data := Mux(rotate, data(31 downto 30) ## data(9 downto 0) ## data(29 downto 10), data(15 downto 0) ## word)
   }
@@ -71,10 +75,12 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   val pair     = Reg(UInt(3 bits)) // of the vertex's words
   val check    = VertexCheck()
   check.io.clear        := False
-  check.io.word.valid   := took && is_(Command.Vertices) && (state === fetchFirst || state === fetchSecond)
-  check.io.word.payload := word
+  // It looks at a word in the clock after it was taken.
+  val checking = RegNext(took && is_(Command.Vertices) && (state === fetchFirst || state === fetchSecond)) init False
+  check.io.word.valid   := checking
+  check.io.word.payload := data(15 downto 0)
   check.io.pair         := pair
-  check.io.second       := state === fetchSecond
+  check.io.second       := state === writeVertex
 
   val placeBits = layout.bankAddressBits
   val place     = UInt(placeBits bits)
@@ -92,11 +98,14 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   }
 
   val texelFits = address < config.textureTexels
-  io.texels.valid   := state === texel && left =/= 0 && io.words.valid && texelFits
+  io.texels.valid   := state === texel && !none && io.words.valid && texelFits
   io.texels.address := address.resized
   io.texels.data    := word
 
-  val mismatch = Reg(Bool()) // of draw's counts
+  // Of draw's counts, a clock after both words were taken.
+  val mismatch = RegNext(
+    data(31 downto 16).asUInt =/= vertices.resize(16) || data(15 downto 0).asUInt =/= triangle.arrived.resize(16)
+  )
   io.job.valid         := state === hand
   frameHeader.fill(io.job.payload, triangle.stored)
   frameHeader.vertical := state === regionY
@@ -110,12 +119,13 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   /** Uses up the word in hand and goes on to `next`. */
   def after(next: SpinalEnumElement[DecoderState.type]): Unit = { take := True; when(io.words.valid)(state := next) }
   def refuseIf(condition: Bool): Unit = when(condition && io.words.valid)(refused := True)
-  def nextGroup(): Unit = state := Mux(left === 0, finish(), fetchFirst())
+  def nextGroup(): Unit = state := Mux(none, finish(), fetchFirst())
 
   switch(state) {
     is(header) {
       opcode  := word(10 downto 8).asUInt
       left    := word(6 downto 0).asUInt
+      none    := word(6 downto 0) === 0
       refused := False
       beyond  := False
       pair    := 0
@@ -136,8 +146,8 @@ case class CommandDecoder(config: RasterConfig) extends Component {
       when(!frameHeader.open && !is_(Command.Begin) && !is_(Command.Texels)) { refused := True; state := skip }
     }
     is(skip) {
-      take := left =/= 0
-      when(left === 0)(state := finish)
+      take := !none
+      when(none)(state := finish)
     }
     is(finish) {
       when(is_(Command.Begin))(frameHeader.open := !refused)
@@ -189,8 +199,8 @@ case class CommandDecoder(config: RasterConfig) extends Component {
     }
     is(writeVertex) {
       val write = !beyond && (!check.io.fault || pair === 3)
-      io.store.cmd.valid := write
-      when(!write || io.store.cmd.ready) {
+      io.store.cmd.valid := write && !checking
+      when(!checking && (!write || io.store.cmd.ready)) {
         count := True
         pair  := pair + 1
         state := fetchFirst
@@ -243,18 +253,16 @@ case class CommandDecoder(config: RasterConfig) extends Component {
       } elsewhen (jobs === 0)(state := texel)
     }
     is(texel) {
-      when(left === 0)(state := finish) otherwise {
+      when(none)(state := finish) otherwise {
         take := io.texels.ready || !texelFits
         when(io.words.valid && !texelFits)(refused := True)
         count := took
       }
     }
 
-    is(drawVertices) { mismatch := word.asUInt =/= vertices.resize(16); after(drawTriangles) }
-    is(drawTriangles) {
-      when(word.asUInt =/= triangle.arrived.resize(16))(mismatch := True)
-      after(hand)
-    }
+    is(drawVertices)(after(drawTriangles))
+    is(drawTriangles)(after(compare))
+    is(compare)(state := hand)
     is(hand) {
       when(io.job.ready) {
         io.events.incomplete := mismatch

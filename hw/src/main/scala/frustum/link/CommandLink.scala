@@ -36,7 +36,9 @@ case class CommandLink(config: RasterConfig, depth: Int = 256, dropWhenFull: Boo
     when(event)(count := count + 1)
     count
   }
-  val events = decoder.io.events
+  val events = DecoderEvents() // a clock late, so that counting is no part of deciding
+  def pulses(events: DecoderEvents) = events.elements.map { case (_, pulse: Bool) => pulse }
+  for ((late, pulse) <- pulses(events).zip(pulses(decoder.io.events))) late := RegNext(pulse) init False
   // Two units drop commands; where both do so in one clock, the decoder's is counted later. It has none in between.
   val refused = RegInit(False) setWhen events.refused clearWhen (!framer.io.dropped && !events.refused)
   val dropped = framer.io.dropped || refused

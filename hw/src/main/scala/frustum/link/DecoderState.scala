@@ -10,5 +10,5 @@ object DecoderState extends SpinalEnum {
   val fetchFirst, fetchSecond, writeState, writeVertex = newElement()
   val load, read, response, settle, axisDone, writeIndices, writeBox = newElement()
   val texelAddress, loadTexel, texel = newElement()
-  val drawVertices, drawTriangles, hand = newElement()
+  val drawVertices, drawTriangles, compare, hand = newElement()
 }

@@ -48,18 +48,20 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
   val atLength = state === header && second
   val looked   = RegNext(atLength && symbols.valid && !symbols.ready) init False
   val fits     = RegNext(Framer.shapeAccepted(high, symbols.payload(7 downto 0)))
-  symbols.ready := state =/= check && (!atLength || looked) && (if (dropWhenFull) True else !fifo.io.full)
+  symbols.ready := state =/= check && (!atLength || looked) && (if (dropWhenFull) True else fifo.io.room)
 
   val flag = symbols.fire && symbols.payload.msb
   val data = symbols.fire && !symbols.payload.msb
   val byte = symbols.payload(7 downto 0)
-  val word = high ## byte
 
-  val push = False
-  val drop = False
-  fifo.io.push.valid   := push
-  fifo.io.push.payload := word
-  fifo.io.commit       := False
+  // Words reach the FIFO a clock later: two clocks at least before a commit, and before the next word is complete.
+  val push   = False
+  val commit = False
+  val drop   = False
+  val low    = RegNext(byte)
+  fifo.io.push.valid   := RegNext(push) init False
+  fifo.io.push.payload := high ## low
+  fifo.io.commit       := commit
   io.dropped           := RegNext(drop) init False
   fifo.io.rollback     := io.dropped // no word is pushed before the second byte from here
 
@@ -85,10 +87,10 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
       }
     }
     is(check) {
-      when(crc === 0) { fifo.io.commit := True; state := stray } otherwise { drop := True; state := skip }
+      when(crc === 0) { commit := True; state := stray } otherwise { drop := True; state := skip }
     }
   }
-  when(push && fifo.io.full) { drop := True; state := skip }
+  when(fifo.io.push.valid && fifo.io.full) { drop := True; state := skip }
   when(flag) {
     drop   := state === body || (state === header && second)
     state  := header

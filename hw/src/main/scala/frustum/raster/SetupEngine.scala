@@ -74,6 +74,7 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   val wordB  = word(CodeBits, CodeBits bits).asUInt
   val atLeft = word(27)
   val atTop  = word(28)
+  val far    = word(29)
 
   // Clock 0 reads b, clock 1 a. An edge's walk starts at the side from which its function grows.
   val scratch = Mem(SInt(32 bits), words)
@@ -84,11 +85,12 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   val readWord = UInt(CodeBits bits)
   val data     = scratch.readSync(address(readWord), readUnderWrite = dontCare)
   readWord := executing ? (phase ? wordA | wordB) | io.read
-  when(executing && phase && atLeft && data.msb =/= instruction.subtract) { readWord.lsb := True } // Right
+  val falls = data.msb =/= instruction.subtract // the product, where `a` grows
+  when(executing && phase && (atLeft && falls =/= far || atTop && far && !falls)) { readWord.lsb := True } // Right, Bottom
   io.readData := data
 
   val operandStep = (data >> 16).resize(17)
-  io.step.valid := executing && phase && (atLeft || atTop)
+  io.step.valid := executing && phase && (atLeft || atTop) && !far
   io.step.payload := instruction.subtract ? -operandStep | operandStep
 
   // Clocks 2 and 3 hand the multipliers a, and b's signed lower half, then its upper half, rounded up to make good for

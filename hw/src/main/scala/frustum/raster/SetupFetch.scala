@@ -14,7 +14,7 @@ case class ScratchWrite() extends Bundle {
 
 /** What [[frustum.spec.FetchProgram]] takes beside the store's words. */
 case class FetchValues() extends Bundle {
-  val left, right, top, firstX, firstY = UInt(10 bits) // pixels
+  val left, right, top, bottom, firstX, firstY = UInt(10 bits) // pixels
   val area  = UInt(30 bits)
   val place = UInt(5 bits) // the power is 2^(30 - place)
 }
@@ -127,7 +127,7 @@ case class SetupFetch(layout: StoreLayout, spareRows: Int) extends Component {
         Field.Area     -> (values.area | (1 << 29) | 1).resize(32).asSInt
       ).map { case (f, v) => f.id -> v } ++
         // pixel centres
-        Seq(Field.Left -> values.left, Field.Right -> values.right, Field.Top -> values.top,
+        Seq(Field.Left -> values.left, Field.Right -> values.right, Field.Top -> values.top, Field.Bottom -> values.bottom,
           Field.FirstX -> values.firstX, Field.FirstY -> values.firstY)
           .map { case (f, v) => f.id -> (v @@ U(8, 4 bits)).resize(32).asSInt }
     )

@@ -24,12 +24,12 @@ case class TileSequencer(config: RasterConfig) extends Component {
   object State extends SpinalEnum { val Idle, Tile, Settle, Scan, Hand, End, Drain = newElement() }
   val state    = RegInit(State.Idle)
   val tile     = Reg(TilePosition())
-  val triangle = Reg(UInt(11 bits)) // the next to be looked at
+  val next     = Reg(UInt(11 bits)) // the next triangle to be looked at, counted from 1
   val frame    = io.frame.payload
 
   // A box is asked for every clock. Its answer is held against the tile when it comes, and looked at a clock later; after
   // a hit the answers still under way are let go by.
-  val asked    = Reg(UInt(11 bits))         // the next box to be asked for
+  val asked    = Reg(UInt(11 bits))         // the next box to be asked for, counted from 1
   val pending  = Reg(UInt(2 bits)) init 0   // answers under way
   val response = io.store.rsp
   def field(n: Int) = response.payload(5 * n, 5 bits).asUInt
@@ -37,10 +37,7 @@ case class TileSequencer(config: RasterConfig) extends Component {
   val inside   = RegNext(field(3) <= tile.tileX) && RegNext(field(2) >= tile.tileX) &&
     RegNext(field(1) <= tile.tileY) && RegNext(field(0) >= tile.tileY)
   val boxState = RegNext(response.payload(31 downto 28).asUInt)
-  val nextTriangle = UInt(11 bits)
-  val ended    = RegNext(nextTriangle === frame.triangleCount)
-  nextTriangle := triangle
-  triangle := nextTriangle
+  val ended    = Reg(Bool()) // none is left to be looked at
   val hitTriangle = Reg(UInt(10 bits))
   val hitState    = Reg(UInt(4 bits))
 
@@ -48,7 +45,7 @@ case class TileSequencer(config: RasterConfig) extends Component {
   io.store.cmd.write := False
   io.store.cmd.data := 0
   io.store.cmd.address := frame.bank @@
-    (U(layout.triangles, layout.bankAddressBits bits) + (asked << 1) + 1).resize(layout.bankAddressBits)
+    (U(layout.triangles, layout.bankAddressBits bits) + (asked << 1) - 1).resize(layout.bankAddressBits)
   when(io.store.cmd.fire) { asked := asked + 1 }
   pending := pending + io.store.cmd.fire.asUInt - response.valid.asUInt
   io.tile.valid := state === State.Tile
@@ -68,8 +65,9 @@ case class TileSequencer(config: RasterConfig) extends Component {
       when(io.frame.valid) { state := State.Tile }
     }
     is(State.Tile) {
-      nextTriangle := 0
-      asked := 0
+      next := 1
+      asked := 1
+      ended := frame.triangleCount === 0
       when(io.tile.ready) { state := State.Settle }
     }
     is(State.Settle) { when(pending === 0 && !looking) { state := State.Scan } }
@@ -77,14 +75,15 @@ case class TileSequencer(config: RasterConfig) extends Component {
       when(ended) {
         state := State.End
       } elsewhen (looking) {
-        nextTriangle := triangle + 1
-        hitTriangle := triangle.resized
+        next := next + 1
+        ended := next === frame.triangleCount
+        hitTriangle := (next - 1).resized
         hitState := boxState
         when(inside) { state := State.Hand }
       }
     }
     is(State.Hand) {
-      asked := triangle
+      asked := next
       when(io.job.ready) { state := State.Settle }
     }
     is(State.End) {

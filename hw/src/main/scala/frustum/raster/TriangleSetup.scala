@@ -52,7 +52,10 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   fetch.io.readData := engine.io.readData
   val result = engine.io.result
   walker.io.step << engine.io.step
-  walker.io.edge.valid := result.valid && result.kind === SetupInstruction.Edge(0).code
+  val isEdge  = result.valid && result.kind === SetupInstruction.Edge(0).code
+  val atFar   = result.target(2) // the edge function where it is largest in the tile
+  val outside = RegInit(False) setWhen (isEdge && atFar && result.value.msb) // of an edge, the whole tile is
+  walker.io.edge.valid := isEdge && !atFar
   walker.io.edge.index := result.target.resized
   walker.io.edge.value := result.value
   writer.io.result << result
@@ -94,6 +97,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     area := result.value.asUInt.resized
     backward := result.value.msb
   }
+  val nothing = RegNext(backward || area === 0)
   val empty   = Vec.fill(slots)(Reg(Bool())) // the slot's triangle draws nothing
   val isEmpty = RegNext(empty(slot))
 
@@ -111,13 +115,14 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   values.left := inTileX(U(0, config.tileLog2Width bits))
   values.right := inTileX(lastColumn)
   values.top := inTileY(U(0, config.tileLog2Height bits))
+  values.bottom := inTileY(lastRow)
   values.firstX := inTileX(firstX)
   values.firstY := inTileY(firstY)
   values.area := area
   values.place := place
 
   import SetupProgram.{SectionArea, SectionAttributes, SectionEdges, SectionGradients, SectionRebase, SectionSteps}
-  object State extends SpinalEnum {
+  object State extends SpinalEnum(binaryOneHot) {
     val Idle, Begin, Area, Facing, Normalise, Attributes, GradientShift, Steps, Check, Gradients, Corner, Edges, Walk, Look,
       Pixel, Rebase, Hand = newElement()
   }
@@ -170,8 +175,8 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     is(State.Area) { run(SectionArea, State.Facing) }
     is(State.Facing) {
       state := State.Normalise
-      empty(slot) := backward || area === 0
-      when(backward || area === 0) {
+      empty(slot) := nothing
+      when(nothing) {
         found.ready := True
         state := State.Idle
       }
@@ -203,9 +208,14 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
       io.setUp := True
       run(SectionGradients, State.Corner)
     }
-    is(State.Corner) { load(FetchProgram.Corner, State.Edges) }
+    is(State.Corner) { outside := False; load(FetchProgram.Corner, State.Edges) }
     is(State.Edges) { when(walker.io.idle) { run(SectionEdges, State.Walk) } }
-    is(State.Walk) { walker.io.start := True; seen := False; state := State.Look }
+    is(State.Walk) {
+      walker.io.start := !outside
+      seen := False
+      found.ready := outside
+      state := outside ? State.Idle | State.Look
+    }
     is(State.Look) {
       when(seen) { when(!bothUsed) { state := State.Pixel } } elsewhen (walker.io.up.valid && walker.io.up.end) {
         // no span before the end mark

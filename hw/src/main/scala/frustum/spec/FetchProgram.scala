@@ -11,7 +11,7 @@ object FetchProgram {
     * `origin` is subtracted.
     */
   object Field extends Enumeration {
-    val Skip, Position, Z, Q, Color, Texture, Scale, Power, Area, Left, Right, Top, FirstX, FirstY = Value
+    val Skip, Position, Z, Q, Color, Texture, Scale, Power, Area, Left, Right, Top, Bottom, FirstX, FirstY = Value
   }
 
   /** @param word   which of the vertex's store words holds the field; it stands at the word's top, except for
@@ -59,7 +59,7 @@ object FetchProgram {
 
   /** The walk's corners, relative to vertex 0. */
   val corner: Seq[Row] =
-    Seq(Row(Field.Left, Left, X0), Row(Field.Right, Right, X0), Row(Field.Top, Top, Y0))
+    Seq(Row(Field.Left, Left, X0), Row(Field.Right, Right, X0), Row(Field.Top, Top, Y0), Row(Field.Bottom, Bottom, Y0))
 
   /** The first covered pixel, relative to vertex 0. */
   val pixel: Seq[Row] =

@@ -5,6 +5,9 @@ package frustum.spec
   * With words of 32 signed bits, `accumulator = start +- floor(a * b / 2^16)`, 48 bits, wrapping. An instruction takes
   * two clocks; a result can be read by the fourth instruction after it ([[SetupInstruction.ResultLatency]]).
   *
+  * Where `a` is `Left`, `Right` is read in its place if that makes the product larger, with `far`, or smaller, without;
+  * where `a` is `Top`, with `far`, `Bottom` if that makes it larger.
+  *
   * `b` must stay below 2^31 - 2^15: the engine multiplies by b's upper half rounded and its lower half signed.
   */
 final case class SetupInstruction(
@@ -12,7 +15,8 @@ final case class SetupInstruction(
     b: Int,
     start: SetupInstruction.Start,
     subtract: Boolean,
-    result: SetupInstruction.Result
+    result: SetupInstruction.Result,
+    far: Boolean = false
 )
 
 object SetupInstruction {
@@ -40,13 +44,15 @@ object SetupInstruction {
   final case class GradientY(plane: Int) extends Result(5)
   /** Fraction: the plane's value at the first pixel. */
   final case class Initial(plane: Int) extends Result(6)
-  /** Integer: edge function `edge` at the walker's corner; its steps are `b` of the products with `Left` and `Top`. */
+  /** Integer: edge function `edge` at the walker's corner; its steps are `b` of the products with `Left` and `Top`. Or,
+    * for `edge` 4 and up, edge function `edge - 4` at the corner of the tile where it is largest.
+    */
   final case class Edge(edge: Int) extends Result(7)
 
-  /** Bits of an instruction word: a is `Top` 1, a is `Left` 1, result code 3, target 7, start 2, subtract 1, b 7, a 7.
+  /** Bits of an instruction word: far 1, a is `Top` 1, a is `Left` 1, result code 3, target 7, start 2, subtract 1, b 7, a 7.
     * Words are named by [[SetupWords.code]].
     */
-  val WordBits = 29
+  val WordBits = 30
   def encode(i: SetupInstruction): Int = {
     val target = i.result match {
       case Nowhere      => 0
@@ -59,7 +65,7 @@ object SetupInstruction {
       case Edge(e)      => e
     }
     def bit(b: Boolean, at: Int) = (if (b) 1 else 0) << at
-    bit(i.a == SetupWords.Top, 28) | bit(i.a == SetupWords.Left, 27) | i.result.code << 24 | target << 17 |
+    bit(i.far, 29) | bit(i.a == SetupWords.Top, 28) | bit(i.a == SetupWords.Left, 27) | i.result.code << 24 | target << 17 |
       i.start.code << 15 | bit(i.subtract, 14) | SetupWords.code(i.b) << 7 | SetupWords.code(i.a)
   }
 }

@@ -68,14 +68,18 @@ object SetupProgram {
     }
   }
 
-  /** The three edge functions at the tile's upper corner from which each edge's walk starts. The first product of an
-    * edge reads its x step as `b` and, where the step is negative, `Right` in place of `Left`.
+  /** The three edge functions where they are largest in the tile, which is passed over if one is negative there; then at
+    * the tile's upper corner from which each edge's walk starts. An edge's products have its steps as `b`.
     */
-  val edges: Seq[SetupInstruction] = Seq(
-    mac(Left, A0_16, Zero), mac(Top, B0_16), mac(Area, One16, to = Edge(0)),
-    mac(Left, DY2_16, Zero), macn(Top, DX2_16, to = Edge(1)),
-    macn(Left, DY1_16, Zero), mac(Top, DX1_16, to = Edge(2))
-  )
+  val edges: Seq[SetupInstruction] = for {
+    far <- Seq(true, false)
+    at = if (far) 4 else 0
+    i <- Seq(
+      mac(Left, A0_16, Zero), mac(Top, B0_16), mac(Area, One16, to = Edge(at)),
+      mac(Left, DY2_16, Zero), macn(Top, DX2_16, to = Edge(at + 1)),
+      macn(Left, DY1_16, Zero), mac(Top, DX1_16, to = Edge(at + 2))
+    )
+  } yield i.copy(far = far)
 
   /** The lambdas at the first covered pixel and every plane's value there. */
   val rebase: Seq[SetupInstruction] = Seq(

@@ -50,10 +50,10 @@ object SetupWords {
   val Temporary = Seq(44, 45, 46, 47)
 
   // Shared: used by the move to a tile, positions relative to vertex 0.
-  /** The tile's left and right columns and its top row, 1/16 pixel. The code of `Right` is that of `Left` with its last
-    * bit set.
+  /** The tile's left and right columns and its top and bottom rows, 1/16 pixel. The codes of `Right` and `Bottom` are those
+    * of `Left` and `Top` with the last bit set.
     */
-  val Left = 56; val Right = 57; val Top = 58
+  val Left = 56; val Right = 57; val Top = 58; val Bottom = 59
   /** First pixel, times 2^16. */
   val PixelX_16 = 56; val PixelY_16 = 57
   val Lambda1 = 58; val Lambda2 = 59

@@ -38,8 +38,9 @@ class TriangleSetupAccuracyTest extends AnyFunSuite {
       } {
         val (left, right, top, bottom) = (tileX * 16, tileX * 16 + 15, tileY * 16, tileY * 16 + 15)
         if (v.exists(_.x >= 16 * left) && v.exists(_.x < 16 * right + 16) && v.exists(_.y >= 16 * top) && v.exists(_.y < 16 * bottom + 16)) {
-          setup.edges(left, right, top)
+          setup.edges(left, right, top, bottom)
           val spans = EdgeWalker.spans(left, right, top, bottom, setup.edge, setup.stepX, setup.stepY)
+          assert(!setup.outside || spans.isEmpty, s"$v passed over in tile ($tileX, $tileY)")
           spans.headOption.foreach { first =>
             setup.rebase(first.first, first.y)
             for (span <- spans; x <- span.first to span.last; p <- 0 until Planes) {

@@ -32,8 +32,10 @@ final case class Rasterizer(config: RasterConfig) {
     val right  = scala.math.min(originX + config.tileWidth, config.width) - 1
     val bottom = scala.math.min(originY + config.tileHeight, config.height) - 1
     if (mayTouch(pass, n, originX, right, originY, bottom)) {
-      setup.edges(originX, right, originY)
-      val spans = EdgeWalker.spans(originX, right, originY, bottom, setup.edge, setup.stepX, setup.stepY)
+      setup.edges(originX, right, originY, bottom)
+      val spans =
+        if (setup.outside) Seq()
+        else EdgeWalker.spans(originX, right, originY, bottom, setup.edge, setup.stepX, setup.stepY)
       spans.headOption.foreach { first =>
         setup.rebase(first.first, first.y)
         val state = pass.states(pass.triangles(n).state)

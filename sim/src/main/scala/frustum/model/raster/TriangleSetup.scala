@@ -18,8 +18,8 @@ final class TriangleSetup {
   val gradientY = new Array[Int](Planes)
   /** Per plane: value at the pixel given to [[rebase]]. */
   val initial = new Array[Int](Planes)
-  /** Edge functions at the corners given to [[edges]]. */
-  val edge = new Array[Int](3)
+  /** Edge functions at the corners given to [[edges]]: where each walk starts, and from 4 on where they are largest. */
+  val edge = new Array[Int](7)
 
   /** Sets a triangle up; false when it faces away or is degenerate, and draws nothing. */
   def setup(v0: PackedVertex, v1: PackedVertex, v2: PackedVertex): Boolean = {
@@ -48,13 +48,17 @@ final class TriangleSetup {
   def stepX(k: Int): Int = (k match { case 0 => word(A0_16); case 1 => word(DY2_16); case 2 => -word(DY1_16) }) >> 16
   def stepY(k: Int): Int = (k match { case 0 => word(B0_16); case 1 => -word(DX2_16); case 2 => word(DX1_16) }) >> 16
 
-  /** Edge functions on row `top`, each at the column, `left` or `right`, where its walk starts. */
-  def edges(left: Int, right: Int, top: Int): Unit = {
+  /** Edge functions on row `top`, each at the column, `left` or `right`, where its walk starts; and where they are largest. */
+  def edges(left: Int, right: Int, top: Int, bottom: Int): Unit = {
     word(Left) = 16 * left + 8 - word(X0)
     word(Right) = 16 * right + 8 - word(X0)
     word(Top) = 16 * top + 8 - word(Y0)
+    word(Bottom) = 16 * bottom + 8 - word(Y0)
     run(SetupProgram.edges)
   }
+
+  /** Whether the corners given to [[edges]] hold no pixel of the triangle, as one edge function tells. */
+  def outside: Boolean = edge.drop(4).exists(_ < 0)
 
   /** Values of the planes at a pixel. */
   def rebase(x: Int, y: Int): Unit = {
@@ -94,8 +98,11 @@ final class TriangleSetup {
 
   private def run(program: Seq[SetupInstruction]): Unit = program.foreach { i =>
     val b = word(i.b)
-    // the walk of an edge starts at the side from which its function grows
-    val a = if (i.a == Left && ((b < 0) != i.subtract)) word(Right) else word(i.a)
+    val falls = (b < 0) != i.subtract
+    val a =
+      if (i.a == Left && falls != i.far) word(Right)
+      else if (i.a == Top && i.far && !falls) word(Bottom)
+      else word(i.a)
     val start = i.start match {
       case Keep          => accumulator
       case Zero          => 0L
