@@ -152,4 +152,11 @@ class RasterizerTest extends AnyFunSuite {
     val r      = new Random(seed)
     check(config, slots, latency, Seq(randomPass(r, config, 0, 5), randomPass(r, config, 1, 30), randomPass(r, config, 2, 3)), Seq(0.0, 0.4), seed)
   }
+
+  test("fragments equal the model's for slivers, needles, huge and degenerate triangles") {
+    val config = RasterConfig(width = 72, height = 40)
+    val seed   = 8
+    val hard   = new HardTriangles(config, new Random(seed))
+    check(config, 6, 2, (0 to 2).map(hard.pass(8 * hard.kinds.size, _)), Seq(0.0), seed)
+  }
 }
