@@ -43,17 +43,17 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
     val seekLeft  = Bool() // the direction from the row before to `near`
   }
   val rows = Stream(Row())
-  val row  = rows.m2sPipe()
+  val row  = rows.s2mPipe().m2sPipe() // no way of ready leads through
   val leftwards = RegInit(False)
   when(rows.fire) { leftwards := !leftwards && !rows.end }
-  val spans = io.spans.halfPipe() // cuts the way of ready; rows take several clocks each
+  val spans = io.spans
   rows.arbitrationFrom(spans)
   rows.y := spans.y
   rows.near := leftwards ? spans.last | spans.first
   rows.far := leftwards ? spans.first | spans.last
   rows.end := spans.end
   rows.leftwards := leftwards
-  rows.seekLeft := rows.near < row.far
+  rows.seekLeft := rows.near < RegNextWhen(rows.far, rows.fire)
 
   // Clock 1 of a move: the coefficient is asked for.
   val x       = Reg(UInt(config.tileLog2Width bits))
@@ -78,7 +78,8 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   val ends    = !moving && !ending && io.token.valid && io.token.tileEnd
   val moves   = (moving || starts) && advance
   io.token.ready := finish && advance || ends
-  row.ready := moving && free && (row.end || rowDone)
+  val rowUsed = moving && (row.end || rowDone)
+  row.ready := rowUsed && free
   when(ends) { ending := True }
   when(ending && free) { ending := False }
   when(moves) {

@@ -40,9 +40,9 @@ case class PipelineTestbed(config: RasterConfig) extends Component {
   events.io.pulses(PipelineEvent.Drawn) := pipeline.io.drawing.fall(False)
   events.io.pulses(PipelineEvent.SetUp) := pipeline.io.setUp
   events.io.pulses(PipelineEvent.Moved) := pipeline.io.moved
-  private val job = pipeline.rasterizer.setup.io.job
+  private val job = pipeline.rasterizer.setup.found // given back when it has been dealt with
   private val jobDone = job.valid.pull() && job.ready.pull()
-  private val tileEnd = job.tileEnd.pull()
+  private val tileEnd = job.job.tileEnd.pull()
   events.io.pulses(PipelineEvent.Missed)  := jobDone && !tileEnd && !pipeline.io.moved
   events.io.pulses(PipelineEvent.TileEnd) := jobDone && tileEnd
 }

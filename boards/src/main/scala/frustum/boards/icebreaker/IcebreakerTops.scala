@@ -8,7 +8,7 @@ import frustum.spec.{Panel, RasterConfig}
 object IcebreakerTops {
 
   /** A frequency the PLL can make of 12 MHz, see [[frustum.blackbox.Ice40PllSettings]]. */
-  private val coreMHz = BigDecimal("16.5")
+  private val coreMHz = BigDecimal("27")
 
   /** What a host may clock the command port with. */
   private val hostMHz = BigDecimal(48)

@@ -1,0 +1,19 @@
+package frustum.spec
+
+/** The room of 3-D pong: puck, paddle, walls and light. */
+object PongScene {
+  val Eye = IntVector(0, 0, -320)
+  val Light = IntVector(-120, 200, 160)
+
+  /** @param pixel
+    *   units between neighbouring pixels: 1 for 640 x 480, 16 for 40 x 30, which sees the same field
+    */
+  def room(width: Int = 640, height: Int = 480, pixel: Int = 1, centred: Boolean = true): RayScene = RayScene(
+    RayCamera.forward(Eye, width, height, 320, pixel, centred),
+    RayRoom(IntVector(-320, -240, 0), IntVector(320, 240, 640), 6),
+    Seq(RaySphere(IntVector(-300, -220, 20), IntVector(300, 220, 620), 20, 0xff0000)),
+    Seq(RayQuad(IntVector(-270, -190, 640), IntVector(270, 190, 640), 50, 0xffffff)),
+    Some(Light),
+    0xffff00
+  )
+}

@@ -1,0 +1,23 @@
+package frustum.spec
+
+/** A wall of a [[RayRoom]]: `sign` tells which end of `axis`. Where walls meet, the first in [[Wall.all]] is
+  * taken.
+  */
+case class Wall(index: Int, axis: Int, sign: Int) {
+
+  /** The axes that lie in it. */
+  val across: Seq[Int] = (0 to 2).filter(_ != axis)
+
+  def position(room: RayRoom): Int = if (sign > 0) room.high(axis) else room.low(axis)
+
+  /** Distance from the eye along the axis, positive. */
+  def distance(scene: RayScene): Int = sign * (position(scene.room) - scene.camera.eye(axis))
+
+  /** The checker bit of its own axis, the same all over the wall. */
+  def bit(room: RayRoom): Boolean = ((position(room) - room.low(axis)) >> room.cellBits & 1) == 1
+}
+
+object Wall {
+  val all: Seq[Wall] = Seq(Wall(0, 0, -1), Wall(1, 0, 1), Wall(2, 1, -1), Wall(3, 1, 1), Wall(4, 2, 1))
+  val back: Wall = all.last
+}

@@ -1,0 +1,89 @@
+package frustum.model.ray
+
+import frustum.spec._
+
+/** What a ray caster says of a pixel: object (0 background, 1 wall, then quads, then spheres) and colour. */
+case class RayPixel(rgb: Int, objectId: Int)
+
+/** Bit-exact model of the ray caster. */
+class RayPicture(scene: RayScene, width: Int, height: Int) {
+  private val program = RayProgram(scene, width, height)
+  private val setup = new RaySetup(program)
+  private val forms = program.forms.toArray
+  private val index = forms.map(_.name).zipWithIndex.toMap
+  private val room = scene.room
+  private val value = new Array[Long](forms.length)
+  private val step = new Array[Long](forms.length)
+  private val curve = new Array[Long](forms.length)
+  private def apply(name: String): Long = value(index(name))
+
+  private val direction = (0 to 2).map(a => index(s"direction$a"))
+  private val across = Wall.all.map(w => w.across.map(u => index(s"across${w.index}_$u")))
+  private val quads = scene.quads.indices.map(i => (0 to 1).map(u => index(s"quad${i}_$u")))
+  private val spheres = scene.spheres.indices.map(i => (index(s"sphere$i"), index(s"along$i")))
+  private val lit = scene.light.isDefined
+  private val shadows = scene.spheres.indices.map { i =>
+    if (!lit) Nil else Wall.all.map(w => (index(s"shadow${i}_${w.index}"), index(s"gate${i}_${w.index}")))
+  }
+
+  def apply(motion: RayMotion): Array[RayPixel] = {
+    setup.frame(motion)
+    Array.tabulate(height) { _ =>
+      val registers = setup.row()
+      for ((f, i) <- forms.zipWithIndex) {
+        value(i) = registers(f.register)
+        step(i) = if (f.registers > 1) registers(f.register + 1) else 0
+        curve(i) = if (f.registers > 2) registers(f.register + 2) else 0
+      }
+      Array.fill(width) {
+        val p = pixel()
+        var i = 0
+        while (i < forms.length) { value(i) += step(i); step(i) += curve(i); i += 1 }
+        p
+      }
+    }.flatten
+  }
+
+  private def shade(color: Int, half: Boolean): Int = if (half) (color >> 1) & 0x7f7f7f else color
+
+  private def pixel(): RayPixel = {
+    val hitSpheres = spheres.indices.filter(i => value(spheres(i)._1) >= 0 && value(spheres(i)._2) > 0)
+    if (hitSpheres.nonEmpty) {
+      val i = hitSpheres.minBy(i => value(spheres(i)._2))
+      return RayPixel(scene.spheres(i).color, 2 + quads.size + i)
+    }
+    val wall = Wall.all.find { w =>
+      val n = w.sign * value(direction(w.axis))
+      n > 0 && w.across.indices.forall { j =>
+        val u = value(across(w.index)(j))
+        u >= 0 && (room.high(w.across(j)) - room.low(w.across(j))).toLong * n - u >= 0
+      }
+    }
+    wall match {
+      case None => RayPixel(scene.background, 0)
+      case Some(w) =>
+        val shadowed = shadows.indices.exists { i =>
+          lit && {
+            val enclosed = index.get(s"enclosed$i").exists(value(_) <= 0)
+            val (q, gate) = shadows(i)(w.index)
+            enclosed || (value(gate) > 0 && value(q) >= 0)
+          }
+        }
+        val n = w.sign * value(direction(w.axis))
+        val quad = if (w != Wall.back) None
+        else quads.indices.find { i =>
+          quads(i).forall { f => value(f) >= 0 && 2L * scene.quads(i).half * n - value(f) >= 0 }
+        }
+        val (color, id) = quad match {
+          case Some(i) => (scene.quads(i).color, 2 + i)
+          case None =>
+            val bits = (0 to 2).map { a =>
+              val j = w.across.indexOf(a)
+              if (j < 0) w.bit(room) else (value(across(w.index)(j)) / (n << room.cellBits) & 1) == 1
+            }
+            ((if (bits(0)) 0xff0000 else 0) | (if (bits(1)) 0xff00 else 0) | (if (bits(2)) 0xff else 0), 1)
+        }
+        RayPixel(shade(color, shadowed), id)
+    }
+  }
+}
