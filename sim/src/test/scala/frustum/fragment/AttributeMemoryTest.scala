@@ -16,7 +16,7 @@ class AttributeMemoryTest extends AnyFunSuite {
   private case class Shown(x: Int, y: Int, end: Boolean, colors: Seq[Int])
 
   test("attributes and depths come back in order") {
-    val config = RasterConfig(tileLog2Width = 5, tileLog2Height = 3)
+    val config = RasterConfig(height = 240, tileLog2Width = 5, tileLog2Height = 3)
     FrustumSim.compile("AttributeMemory")(AttributeMemory(config)).doSim(seed) { dut =>
       val r = new Random(seed)
       val attributes = ArrayBuffer.empty[Shown]

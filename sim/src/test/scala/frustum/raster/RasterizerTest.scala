@@ -76,6 +76,14 @@ class RasterizerTest extends AnyFunSuite {
     (vertices ++ triangles.flatten ++ states).toMap
   }
 
+  private val benches = collection.mutable.Map.empty[Any, SimCompiled[RasterizerBench]]
+  private def compiled(config: RasterConfig, slots: Int, latency: Int) = benches.getOrElseUpdate(
+    (config, slots, latency), {
+      val name = s"RasterizerBench_${config.width}x${config.height}_${config.tileWidth}x${config.tileHeight}_${slots}_$latency"
+      FrustumSim.compile(name)(RasterizerBench(config, slots, latency))
+    }
+  )
+
   private def check(config: RasterConfig, slots: Int, latency: Int, passes: Seq[FramePass], stalls: Seq[Double], seed: Int): Unit = {
     val expected = ArrayBuffer.empty[String]
     passes.foreach { pass =>
@@ -86,7 +94,7 @@ class RasterizerTest extends AnyFunSuite {
         def tileEnd(x: Int, y: Int): Unit = expected += "end"
       })
     }
-    FrustumSim.compile(s"RasterizerBench_${config.width}x${config.height}_${slots}_$latency")(RasterizerBench(config, slots, latency)).doSim(seed) { dut =>
+    compiled(config, slots, latency).doSim(seed) { dut =>
       for (rate <- stalls) {
         val got = ArrayBuffer.empty[String]
         var clocks = 0
@@ -146,17 +154,19 @@ class RasterizerTest extends AnyFunSuite {
     FramePass(frame, 0, TileRegion.whole(config), states, vertices, IndexedSeq.tabulate(count)(i => PackedTriangle(r.nextInt(2), 3 * i, 3 * i + 1, 3 * i + 2)))
   }
 
-  for ((slots, latency) <- Seq(6 -> 2, 3 -> 1)) test(s"fragments equal the model's, $slots slots, store answers after $latency clocks") {
-    val config = RasterConfig(width = 72, height = 40)
-    val seed   = 7
-    val r      = new Random(seed)
-    check(config, slots, latency, Seq(randomPass(r, config, 0, 5), randomPass(r, config, 1, 30), randomPass(r, config, 2, 3)), Seq(0.0, 0.4), seed)
-  }
+  private val usual    = RasterConfig(width = 72, height = 40)
+  private val smallest = RasterConfig(width = 41, height = 27, tileLog2Width = 3, tileLog2Height = 3)
+  private val odd      = RasterConfig(width = 97, height = 50, tileLog2Width = 5, tileLog2Height = 3)
+  for ((config, slots, latency) <- Seq((usual, 6, 2), (smallest, 3, 1), (odd, 5, 3)))
+    test(s"fragments equal the model's, tiles of ${config.tileWidth} x ${config.tileHeight}, $slots slots, store answers after $latency clocks") {
+      val seed = 7
+      val r    = new Random(seed)
+      check(config, slots, latency, Seq(randomPass(r, config, 0, 5), randomPass(r, config, 1, 30), randomPass(r, config, 2, 3)), Seq(0.0, 0.4), seed)
+    }
 
   test("fragments equal the model's for slivers, needles, huge and degenerate triangles") {
-    val config = RasterConfig(width = 72, height = 40)
-    val seed   = 8
-    val hard   = new HardTriangles(config, new Random(seed))
-    check(config, 6, 2, (0 to 2).map(hard.pass(8 * hard.kinds.size, _)), Seq(0.0), seed)
+    val seed = 8
+    val hard = new HardTriangles(usual, new Random(seed))
+    check(usual, 6, 2, (0 to 2).map(hard.pass(4 * hard.kinds.size, _)), Seq(0.0), seed)
   }
 }

@@ -1,6 +1,6 @@
 package frustum.model.pipelines
 
-import frustum.model.fragment.{Blend, Combine, Fragment}
+import frustum.model.fragment.{Blend, Combine, DepthTest, Fragment}
 import frustum.model.texture.{PerspectiveDivide, TextureUnit}
 import frustum.spec.{RasterConfig, RenderState, TexelFormat, TextureRef}
 import frustum.spec.{Combine => CombineMode}
@@ -14,9 +14,9 @@ import frustum.spec.{Combine => CombineMode}
 final class FragmentModel(config: RasterConfig, texels: Array[Int]) {
   private val words = config.tileWidth * config.tileHeight
 
-  /** The tile, row by row from the top: RGB565 and depth. */
+  /** The tile, row by row from the top, RGB565. */
   val color: Array[Int] = new Array[Int](words)
-  val depth: Array[Int] = new Array[Int](words)
+  private val depth = new DepthTest(words)
 
   private var state: RenderState = _
   private var texture: TextureRef = _
@@ -24,7 +24,7 @@ final class FragmentModel(config: RasterConfig, texels: Array[Int]) {
 
   def clear(clearColor: Int): Unit = {
     java.util.Arrays.fill(color, clearColor)
-    java.util.Arrays.fill(depth, 65535)
+    depth.clear()
   }
 
   /** Draws a fragment; true if it passed the alpha and depth tests. */
@@ -34,9 +34,8 @@ final class FragmentModel(config: RasterConfig, texels: Array[Int]) {
     val z = Fragment.depth(f.z)
     val texel = if (textured) fetch(f) else -1
     val a = Combine.channel(texel & 31, if (replace && rgba4444) 255 else Fragment.channel(f.a))
-    val pass = a >= s.alphaRef && s.depth.passes(z, depth(at))
+    val pass = a >= s.alphaRef && depth(at, z, s)
     if (pass) {
-      if (s.depthWrite) depth(at) = z
       val r = Combine.channel((texel >> 16) & 31, if (replace) 255 else Fragment.channel(f.r))
       val g = Combine.channel((texel >> 10) & 63, if (replace) 255 else Fragment.channel(f.g))
       val b = Combine.channel((texel >> 5) & 31, if (replace) 255 else Fragment.channel(f.b))
