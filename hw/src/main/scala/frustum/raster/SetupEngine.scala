@@ -142,7 +142,8 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   scratch.write(
     address(done ? control(7).target | io.write.word),
     done ? value | io.write.data,
-    enable = done ? toScratch | io.write.valid
+    // registers mean nothing before their first clock under reset: the constants must outlast it
+    enable = (done ? toScratch | io.write.valid) && !ClockDomain.current.isResetActive
   )
 
   val overflow = RegInit(False)
