@@ -46,12 +46,11 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   val row  = rows.s2mPipe().m2sPipe() // no way of ready leads through
   val leftwards = RegInit(False)
   when(rows.fire) { leftwards := !leftwards && !rows.end }
-  val spans = io.spans
-  rows.arbitrationFrom(spans)
-  rows.y := spans.y
-  rows.near := leftwards ? spans.last | spans.first
-  rows.far := leftwards ? spans.first | spans.last
-  rows.end := spans.end
+  rows.arbitrationFrom(io.spans)
+  rows.y := io.spans.y
+  rows.near := leftwards ? io.spans.last | io.spans.first
+  rows.far := leftwards ? io.spans.first | io.spans.last
+  rows.end := io.spans.end
   rows.leftwards := leftwards
   rows.seekLeft := rows.near < RegNextWhen(rows.far, rows.fire)
 
@@ -63,23 +62,21 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   val ending  = RegInit(False) // clock 2 of a tile's end
   val free    = Bool()         // the register of `down` is
   val advance = free && row.valid // a move goes from clock 2 to the register of `down`
-  val atY, atNear, atFar = Bool()
-  atY := y === row.y
-  atNear := x === row.near
-  atFar := x === row.far
-  val covered = atY && (drawing || atNear)
+  val atY     = y === row.y
+  val reached = drawing || x === row.near
+  val atFar   = x === row.far
+  val covered = atY && reached
   val rowDone = covered && atFar
-  val inRow   = atY && !((drawing || atNear) && atFar)
+  val inRow   = atY && !(reached && atFar) // the move stays in it
   val finish  = moving && row.end
-  val toLeft  = (drawing || atNear) ? row.leftwards | row.seekLeft
+  val toLeft  = reached ? row.leftwards | row.seekLeft
   // Coefficient.Left or Right, Down, or an Initial one
   val entry   = (moving && !inRow) ## (moving && inRow) ## (moving ? (inRow && toLeft) | io.token.parity)
   val starts  = !moving && !ending && io.token.valid && !io.token.tileEnd && row.valid
   val ends    = !moving && !ending && io.token.valid && io.token.tileEnd
   val moves   = (moving || starts) && advance
   io.token.ready := finish && advance || ends
-  val rowUsed = moving && (row.end || rowDone)
-  row.ready := rowUsed && free
+  row.ready := moving && free && (row.end || rowDone)
   when(ends) { ending := True }
   when(ending && free) { ending := False }
   when(moves) {

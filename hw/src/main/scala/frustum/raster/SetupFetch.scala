@@ -19,6 +19,15 @@ case class FetchValues() extends Bundle {
   val place = UInt(5 bits) // the power is 2^(30 - place)
 }
 
+/** A row of the table, as [[frustum.spec.FetchProgram]] encodes it. */
+case class FetchRow() extends Bundle {
+  val target, origin   = UInt(SetupWords.CodeBits bits)
+  val field            = Bits(4 bits)
+  val word             = UInt(3 bits)
+  val upper, take      = Bool()
+  val lastOfWord, last = Bool()
+}
+
 /** Access to the rows of the table that [[frustum.spec.FetchProgram]] leaves free: 10 bits each, readable while `free`,
   * one clock after `address`.
   */
@@ -68,26 +77,21 @@ case class SetupFetch(layout: StoreLayout, spareRows: Int) extends Component {
   val table = Mem(Bits(FetchProgram.RowBits bits), rows)
   table.init(FetchProgram.image.padTo(rows, 0).map(B(_, FetchProgram.RowBits bits)))
   table.addAttribute("ram_style", "block")
+  def spare(address: UInt) = U(firstSpare, log2Up(rows) bits) | address.resize(log2Up(rows))
   table.write(
-    (U(firstSpare, log2Up(rows) bits) | io.spare.write.address.resize(log2Up(rows))),
+    spare(io.spare.write.address),
     io.spare.write.data.asBits.resize(FetchProgram.RowBits),
     io.spare.write.valid
   )
   val read = table.readSync(
-    resting ? (U(firstSpare, log2Up(rows) bits) | io.spare.address.resize(log2Up(rows))) | nextRow.resize(log2Up(rows)),
+    resting ? spare(io.spare.address) | nextRow.resize(log2Up(rows)),
     readUnderWrite = dontCare
   )
   io.spare.free := resting
   io.spare.data := read(9 downto 0).asUInt
-  val target     = read(0, 7 bits).asUInt
-  val origin     = read(7, 7 bits).asUInt
-  val field      = read(14, 4 bits)
-  val word       = read(18, 3 bits).asUInt
-  val upper      = read(21)
-  val take       = read(22)
-  val lastOfWord = read(23)
-  val last       = read(24)
-  def isField(kind: Field.Value) = field === kind.id
+  val action = FetchRow()
+  action.assignFromBits(read)
+  def isField(kind: Field.Value) = action.field === kind.id
 
   // Store reads: the vertices' indices, the three exponents, then word after word of each vertex. Indices and exponents
   // go round, the vertex at hand first.
@@ -97,7 +101,7 @@ case class SetupFetch(layout: StoreLayout, spareRows: Int) extends Component {
   val index     = indices(0).resize(layout.bankAddressBits)
   val ask       = False // the address follows a clock later
   val asking    = RegInit(False) clearWhen io.store.cmd.fire setWhen RegNext(ask, False)
-  val wanted    = (state === State.Exponents) ? U(FetchProgram.ExponentWord, 3 bits) | word
+  val wanted    = (state === State.Exponents) ? U(FetchProgram.ExponentWord, 3 bits) | action.word
   val response  = io.store.rsp
   io.store.cmd.valid := asking
   io.store.cmd.write := False
@@ -113,9 +117,9 @@ case class SetupFetch(layout: StoreLayout, spareRows: Int) extends Component {
   // Clock 1 of a row: the scratch memory is asked for the word to subtract; clock 2: the difference; clock 3: the write.
   val working = state === State.Write
   val values  = io.values
-  io.read := origin
+  io.read := action.origin
   val minuend = RegNext(
-    field.muxListDc(
+    action.field.muxListDc(
       Seq(
         Field.Scale    -> S(0, 32 bits),
         Field.Power    -> S(0, 32 bits),
@@ -135,13 +139,13 @@ case class SetupFetch(layout: StoreLayout, spareRows: Int) extends Component {
   val behind = RegNext(largest - exponents(0))
   val place  = RegNext(isField(Field.Scale) ? behind | values.place)
   val isPower = RegNext(working && (isField(Field.Scale) || isField(Field.Power))) init False
-  val raise   = RegNext(upper)
+  val raise   = RegNext(action.upper)
   val difference = minuend - io.readData
   // bit 30 - n for place n; bit 0 for place 31 too
   val power = B((0 to 31).map(n => if (n == 31) False else if (n == 0) isPower && place >= 30 else isPower && place === 30 - n))
   val writing = RegNext(working && !isField(Field.Skip)) init False
   io.write.valid := RegNext(writing) init False
-  io.write.word := RegNext(RegNext(target))
+  io.write.word := RegNext(RegNext(action.target))
   io.write.data := RegNext((raise ? (difference |<< 16) | difference) | power.asSInt)
 
   switch(state) {
@@ -179,12 +183,12 @@ case class SetupFetch(layout: StoreLayout, spareRows: Int) extends Component {
     }
     is(State.Write) {
       nextRow := row + 1
-      when(take) { data := data |<< 8 }
-      when(lastOfWord) {
+      when(action.take) { data := data |<< 8 }
+      when(action.lastOfWord) {
         state := State.Read
         ask := True
       }
-      when(last) {
+      when(action.last) {
         nextRow := (vertex + 1) @@ U(0, 4 bits)
         turn(indices)
         turn(exponents)

@@ -63,15 +63,11 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   writer.io.parity := parity
   io.write << writer.io.write
 
-  // The token being drawn and the one after it. Their slots must not be set up anew meanwhile.
-  val token   = Stream(DrawToken(config, slots))
-  val waiting = token.halfPipe() // cuts the way of ready
-  val drawn   = waiting.m2sPipe()
-  def holds(s: Stream[DrawToken]) = s.valid && !s.tileEnd
-  val slotUsed = RegNext(Seq(waiting, drawn).map(s => holds(s) && s.slot === slot).orR)
-  val bothUsed = RegNext(holds(waiting) && holds(drawn)) // so are both entries for first values
-  io.token << drawn
-  io.busy := io.job.valid || found.valid || waiting.valid || drawn.valid
+  val tokens = TokenQueue(config, slots)
+  val token  = tokens.io.up
+  tokens.io.slot := slot
+  tokens.io.down >> io.token
+  io.busy := io.job.valid || found.valid || tokens.io.busy
 
   // First span of the triangle; the walker's end mark counts only where there was one.
   val seen = RegInit(False)
@@ -123,7 +119,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
 
   import SetupProgram.{SectionArea, SectionAttributes, SectionEdges, SectionGradients, SectionRebase, SectionSteps}
   object State extends SpinalEnum(binaryOneHot) {
-    val Idle, Begin, Area, Facing, Normalise, Attributes, GradientShift, Steps, Check, Gradients, Corner, Edges, Walk, Look,
+    val Idle, Begin, Area, Facing, Normalise, GradientShift, Attributes, Check, Gradients, Corner, Edges, Walk, Look,
       Pixel, Rebase, Hand = newElement()
   }
   val state   = RegInit(State.Idle)
@@ -168,7 +164,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
       } elsewhen (found.known) {
         found.ready := isEmpty
         state := isEmpty ? State.Idle | State.Corner
-      } elsewhen (!slotUsed) {
+      } elsewhen (!tokens.io.slotUsed) {
         load(0, State.Area)
       }
     }
@@ -183,22 +179,22 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     }
     is(State.Normalise) {
       when(area.msb || place === 30 - SetupWords.MaxShift) {
-        load(FetchProgram.Normal, State.Attributes)
+        load(FetchProgram.Normal, State.GradientShift)
       } otherwise {
         area := area |<< 1
         place := place - 1
       }
     }
-    is(State.Attributes) {
-      place := place - 4
-      run(SectionAttributes, State.GradientShift)
+    is(State.GradientShift) {
+      place := sliver ? (place + 14) | (place - 4)
+      load(FetchProgram.GradientShift, State.Attributes)
     }
-    is(State.GradientShift) { load(FetchProgram.GradientShift, State.Steps) }
-    is(State.Steps) { run(SectionSteps, State.Check) }
+    is(State.Attributes) {
+      when(sliver) { run(SectionSteps, State.Check) } otherwise { run(SectionAttributes, State.Check) }
+    }
     is(State.Check) {
       when(engine.io.overflow && !sliver) {
         sliver := True
-        place := place + 14
         state := State.GradientShift
       } otherwise {
         state := State.Gradients
@@ -217,7 +213,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
       state := outside ? State.Idle | State.Look
     }
     is(State.Look) {
-      when(seen) { when(!bothUsed) { state := State.Pixel } } elsewhen (walker.io.up.valid && walker.io.up.end) {
+      when(seen) { when(!tokens.io.full) { state := State.Pixel } } elsewhen (walker.io.up.valid && walker.io.up.end) {
         // no span before the end mark
         found.ready := True
         state := State.Idle
