@@ -55,13 +55,12 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
   val byte = symbols.payload(7 downto 0)
 
   // Words reach the FIFO a clock later: two clocks at least before a commit, and before the next word is complete.
-  val push   = False
-  val commit = False
-  val drop   = False
-  val low    = RegNext(byte)
+  val push = False
+  val drop = False
+  val low  = RegNext(byte)
   fifo.io.push.valid   := RegNext(push) init False
   fifo.io.push.payload := high ## low
-  fifo.io.commit       := commit
+  fifo.io.commit       := False
   io.dropped           := RegNext(drop) init False
   fifo.io.rollback     := io.dropped // no word is pushed before the second byte from here
 
@@ -87,7 +86,7 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
       }
     }
     is(check) {
-      when(crc === 0) { commit := True; state := stray } otherwise { drop := True; state := skip }
+      when(crc === 0) { fifo.io.commit := True; state := stray } otherwise { drop := True; state := skip }
     }
   }
   when(fifo.io.push.valid && fifo.io.full) { drop := True; state := skip }

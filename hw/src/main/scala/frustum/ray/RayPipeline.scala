@@ -28,7 +28,7 @@ case class RayPipeline(config: RayConfig) extends Component {
   val io = new Bundle {
     val motion = in(RayMotionBundle(scene))
     val latch, line = in Bool ()
-    val up = slave(Flow(RayPosition(mode.width, mode.height)))
+    val up = slave(Flow(NoData())) // row by row
     val down = master(Flow(RayPixel()))
   }
   private val room = scene.room

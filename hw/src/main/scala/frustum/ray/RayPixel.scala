@@ -8,9 +8,3 @@ case class RayPixel() extends Bundle {
   val rgb = Rgb(RgbConfig(8, 8, 8))
   val objectId = UInt(4 bits)
 }
-
-/** Position of a pixel as the scanner gives it. */
-case class RayPosition(width: Int, height: Int) extends Bundle {
-  val x = UInt(log2Up(width) bits)
-  val y = UInt(log2Up(height) bits)
-}

@@ -35,7 +35,4 @@ case class VideoMode(
 object VideoMode {
   val Vga640x480 = VideoMode("640x480", 25.175, 640, 480, 16, 96, 48, 10, 2, 33, hPositive = false, vPositive = false)
   val Svga800x600 = VideoMode("800x600", 40.0, 800, 600, 40, 128, 88, 1, 4, 23, hPositive = true, vPositive = true)
-
-  /** Small picture with blanks long enough for the ray caster's set-up: for tests. */
-  val Test40x30 = VideoMode("40x30", 25.175, 40, 30, 16, 96, 48, 40, 40, 40, hPositive = false, vPositive = false)
 }

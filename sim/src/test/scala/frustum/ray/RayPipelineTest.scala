@@ -19,7 +19,8 @@ class TimedRay(config: RayConfig) extends RayPipeline(config) {
 
 /** Hardware = model: whole frames, pixel by pixel, and the latency that the design tells. */
 class RayPipelineTest extends AnyFunSuite {
-  private val mode = VideoMode.Test40x30.copy(width = 200, height = 12, hBack = 400, vBack = 120)
+  /** A small picture with blanks long enough for the set-up. */
+  private val mode = VideoMode("200x12", 25.175, 200, 12, 16, 96, 400, 40, 40, 120, hPositive = false, vPositive = false)
 
   private def compare(name: String, scene: RayScene, frames: Int, seed: Int): Unit = {
     val random = new Random(seed)
