@@ -35,22 +35,22 @@ case class SlotLookup(config: RasterConfig, slots: Int) extends Component {
   val judged = RegNext(fresh, False)
   val slot   = Reg(UInt(log2Up(slots) bits))
 
-  io.tags.address := asked.resized
-  io.tags.write.valid := False
+  io.tags.address       := asked.resized
+  io.tags.write.valid   := False
   io.tags.write.address := next
-  io.tags.write.data := io.up.triangle
-  io.down.valid := state === State.Found || state === State.Missed
-  io.down.job := io.up.payload
-  io.down.slot := slot
-  io.down.known := state === State.Found
-  io.up.ready := io.down.fire
+  io.tags.write.data    := io.up.triangle
+  io.down.valid         := state === State.Found || state === State.Missed
+  io.down.job           := io.up.payload
+  io.down.slot          := slot
+  io.down.known         := state === State.Found
+  io.up.ready           := io.down.fire
 
   switch(state) {
     is(State.Idle) {
-      asked := 0
-      fresh := False
+      asked  := 0
+      fresh  := False
       judged := False
-      slot := next
+      slot   := next
       when(io.up.valid) { state := io.up.tileEnd ? State.Found | State.Search }
     }
     is(State.Search) {
@@ -58,11 +58,11 @@ case class SlotLookup(config: RasterConfig, slots: Int) extends Component {
       when(judged) {
         when(beyond) {
           io.tags.write.valid := True
-          state := State.Missed
-          next := (next === slots - 1) ? U(0) | next + 1
+          state               := State.Missed
+          next                := (next === slots - 1) ? U(0) | next + 1
           when(filled =/= slots) { filled := filled + 1 }
         } elsewhen (same) {
-          slot := looked.resized
+          slot  := looked.resized
           state := State.Found
         }
       }
@@ -70,7 +70,7 @@ case class SlotLookup(config: RasterConfig, slots: Int) extends Component {
     default { when(io.down.ready) { state := State.Idle } }
   }
   when(io.flush) {
-    next := 0
+    next   := 0
     filled := 0
   }
 }

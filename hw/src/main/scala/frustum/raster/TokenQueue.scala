@@ -16,11 +16,11 @@ case class TokenQueue(config: RasterConfig, slots: Int) extends Component {
     val full     = out Bool () // two triangles' tokens are held
     val busy     = out Bool ()
   }
-  val waiting = io.up.halfPipe() // cuts the way of ready
-  val drawn   = waiting.m2sPipe()
+  val waiting                                 = io.up.halfPipe() // cuts the way of ready
+  val drawn                                   = waiting.m2sPipe()
   private def holds(token: Stream[DrawToken]) = token.valid && !token.tileEnd
   io.down << drawn
   io.slotUsed := RegNext(Seq(waiting, drawn).map(token => holds(token) && token.slot === io.slot).orR)
-  io.full := RegNext(holds(waiting) && holds(drawn))
-  io.busy := waiting.valid || drawn.valid
+  io.full     := RegNext(holds(waiting) && holds(drawn))
+  io.busy     := waiting.valid || drawn.valid
 }

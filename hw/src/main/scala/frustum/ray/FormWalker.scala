@@ -9,8 +9,8 @@ import spinal.lib._
   */
 case class FormWalker(form: RayForm, program: RayProgram) extends Component {
   val io = new Bundle {
-    val load = slave(Flow(RayRegisterLoad(program)))
-    val step = in Bool ()
+    val load  = slave(Flow(RayRegisterLoad(program)))
+    val step  = in Bool ()
     val value = out SInt (form.width bits)
   }
   private def register(i: Int) = {

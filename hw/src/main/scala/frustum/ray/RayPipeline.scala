@@ -9,11 +9,11 @@ import spinal.lib.misc.pipeline._
 /** Centres of what moves, in units; coordinates that the scene holds constant are not looked at. */
 case class RayMotionBundle(scene: RayScene) extends Bundle {
   val spheres = Vec.fill(scene.spheres.size)(RayPoint())
-  val quads = Vec.fill(scene.quads.size)(RayPoint())
+  val quads   = Vec.fill(scene.quads.size)(RayPoint())
 }
 
 case class RayPoint() extends Bundle {
-  val x, y, z = SInt(12 bits)
+  val x, y, z                = SInt(12 bits)
   def apply(axis: Int): SInt = Seq(x, y, z)(axis)
 }
 
@@ -26,60 +26,65 @@ case class RayPoint() extends Bundle {
 case class RayPipeline(config: RayConfig) extends Component {
   import config.{mode, program, scene}
   val io = new Bundle {
-    val motion = in(RayMotionBundle(scene))
+    val motion      = in(RayMotionBundle(scene))
     val latch, line = in Bool ()
-    val up = slave(Flow(NoData())) // row by row
-    val down = master(Flow(RayPixel()))
+    val up          = slave(Flow(NoData())) // row by row
+    val down        = master(Flow(RayPixel()))
   }
-  private val room = scene.room
+  private val room              = scene.room
   private def extent(axis: Int) = room.high(axis) - room.low(axis)
 
-  val setup = RaySetup(program)
+  val setup            = RaySetup(program)
   val setUpClocks: Int = setup.frameClocks
-  val lineClocks: Int = setup.lineClocks
-  require(setUpClocks <= mode.blankClocks - mode.hTotal, s"set-up of $setUpClocks clocks in a blank of ${mode.blankClocks}")
+  val lineClocks: Int  = setup.lineClocks
+  require(
+    setUpClocks <= mode.blankClocks - mode.hTotal,
+    s"set-up of $setUpClocks clocks in a blank of ${mode.blankClocks}"
+  )
   require(lineClocks <= mode.hBlank, s"row load of $lineClocks clocks in a blank of ${mode.hBlank}")
   require(setup.rowClocks <= mode.width, s"row steps of ${setup.rowClocks} clocks in a row of ${mode.width}")
 
   setup.io.latch := io.latch
-  setup.io.line := io.line
+  setup.io.line  := io.line
   for ((to, i) <- setup.io.inputs.zip(program.inputs))
-    to := (if (i.isSphere) io.motion.spheres else io.motion.quads)(i.index)(i.axis).resized
+    to := (if (i.isSphere) io.motion.spheres else io.motion.quads) (i.index)(i.axis).resized
 
   private val walkers = program.forms.map { f =>
     val w = FormWalker(f, program).setName("walk_" + f.name)
     w.io.load := setup.io.load
     w.io.step := io.up.valid
-    f.name -> w.io.value
+    f.name    -> w.io.value
   }.toMap
 
   private val quotientBits = (0 to 2).map(a => BigInt(extent(a) >> room.cellBits).bitLength).max.max(1)
-  private val divisions = (quotientBits + 1) / 2
-  val line = new LockstepPipeline(divisions + 2)
-  val latency: Int = line.nodes.size - 1
-  line(0).valid := io.up.valid
+  private val divisions    = (quotientBits + 1) / 2
+  val line                 = new LockstepPipeline(divisions + 2)
+  val latency: Int         = line.nodes.size - 1
+  line(0).valid         := io.up.valid
   line.nodes.last.ready := True
 
-  private val widthN = (0 to 2).map(a => walkers(s"direction$a").getWidth).max + 1
-  private val widthU = walkers.collect { case (n, v) if n.startsWith("across") => v.getWidth }.max
-  val SPHERE = Payload(Bool())
-  val SPHERE_INDEX = Payload(UInt(4 bits))
-  val WALL = Payload(Bits(Wall.all.size bits))
-  val QUADS = Payload(Bits(scene.quads.size.max(1) bits))
-  val SHADOW = Payload(Bool())
-  val HITS = Payload(Bits(Wall.all.size bits))
-  val CONES = Payload(Bits(Wall.all.size bits))
-  private val normals = Seq.fill(3)(Payload(SInt(widthN bits)))
-  private val offsets = Seq.fill(Wall.all.size)(Seq.fill(2)(Payload(UInt(widthU bits))))
+  private val widthN     = (0 to 2).map(a => walkers(s"direction$a").getWidth).max + 1
+  private val widthU     = walkers.collect { case (n, v) if n.startsWith("across") => v.getWidth }.max
+  val SPHERE             = Payload(Bool())
+  val SPHERE_INDEX       = Payload(UInt(4 bits))
+  val WALL               = Payload(Bits(Wall.all.size bits))
+  val QUADS              = Payload(Bits(scene.quads.size.max(1) bits))
+  val SHADOW             = Payload(Bool())
+  val HITS               = Payload(Bits(Wall.all.size bits))
+  val CONES              = Payload(Bits(Wall.all.size bits))
+  private val normals    = Seq.fill(3)(Payload(SInt(widthN bits)))
+  private val offsets    = Seq.fill(Wall.all.size)(Seq.fill(2)(Payload(UInt(widthU bits))))
   private val QUAD_SIDES = Payload(Bits(scene.quads.size.max(1) bits))
-  val N = Payload(UInt(widthN bits))
-  private val rests = Seq.fill(divisions + 1)(Seq.fill(2)(Payload(UInt(widthU bits))))
-  private val parities = Seq.fill(divisions)(Seq.fill(2)(Payload(Bool())))
+  val N                  = Payload(UInt(widthN bits))
+  private val rests      = Seq.fill(divisions + 1)(Seq.fill(2)(Payload(UInt(widthU bits))))
+  private val parities   = Seq.fill(divisions)(Seq.fill(2)(Payload(Bool())))
 
   /** What is hit: signs of the forms at this pixel. */
   val test = new Area {
     val s0 = line(0)
-    val n = Wall.all.map { w => val d = walkers(s"direction${w.axis}").resize(widthN); if (w.sign > 0) d else -d }
+    val n  = Wall.all.map { w =>
+      val d = walkers(s"direction${w.axis}").resize(widthN); if (w.sign > 0) d else -d
+    }
     private def inside(u: SInt, most: Int, n: SInt) = {
       val product = n * S(most)
       u >= 0 && u.resize(product.getWidth + 1) <= product.resize(product.getWidth + 1)
@@ -87,15 +92,17 @@ case class RayPipeline(config: RayConfig) extends Component {
     val hits = Wall.all.zip(n).map { case (w, n) =>
       n > 0 && w.across.map(u => inside(walkers(s"across${w.index}_$u"), extent(u), n)).reduce(_ && _)
     }
-    s0(HITS) := hits.asBits()
+    s0(HITS)                         := hits.asBits()
     for (a <- 0 to 2) s0(normals(a)) := walkers(s"direction$a").resized
-    for (w <- Wall.all; j <- 0 to 1) s0(offsets(w.index)(j)) := walkers(s"across${w.index}_${w.across(j)}").resize(widthU).asUInt
+    for (w <- Wall.all; j <- 0 to 1)
+      s0(offsets(w.index)(j)) := walkers(s"across${w.index}_${w.across(j)}").resize(widthU).asUInt
     val quads = scene.quads.zipWithIndex.map { case (q, i) =>
       (0 to 1).map(u => inside(walkers(s"quad${i}_$u"), 2 * q.half, n.last)).reduce(_ && _)
     }
     s0(QUAD_SIDES) := (if (quads.isEmpty) B(0, 1 bits) else quads.asBits())
     val shadows = for (_ <- scene.light.toSeq; i <- scene.spheres.indices) yield {
-      val cone = Wall.all.map(w => walkers(s"gate${i}_${w.index}") > 0 && walkers(s"shadow${i}_${w.index}") >= 0)
+      val cone =
+        Wall.all.map(w => walkers(s"gate${i}_${w.index}") > 0 && walkers(s"shadow${i}_${w.index}") >= 0)
       val enclosed = walkers.get(s"enclosed$i").map(_ <= 0).getOrElse(False)
       cone.asBits() | B(Wall.all.size bits, default -> enclosed)
     }
@@ -104,13 +111,18 @@ case class RayPipeline(config: RayConfig) extends Component {
 
   /** The first wall hit, and what belongs to it. */
   val select = new Area {
-    val s1 = line(1)
+    val s1    = line(1)
     val first = OHMasking.first(s1(HITS))
     s1(WALL) := first
-    s1(N) := MuxOH.or(first, Wall.all.map { w => val d = s1(normals(w.axis)); (if (w.sign > 0) d else -d).asUInt })
+    s1(N)    := MuxOH.or(
+      first,
+      Wall.all.map { w =>
+        val d = s1(normals(w.axis)); (if (w.sign > 0) d else -d).asUInt
+      }
+    )
     for (j <- 0 to 1) s1(rests.head(j)) := MuxOH.or(first, offsets.map(o => s1(o(j))))
-    s1(QUADS) := Mux(first.msb, s1(QUAD_SIDES), B(0, scene.quads.size.max(1) bits))
-    s1(SHADOW) := (s1(CONES) & first).orR
+    s1(QUADS)                           := Mux(first.msb, s1(QUAD_SIDES), B(0, scene.quads.size.max(1) bits))
+    s1(SHADOW)                          := (s1(CONES) & first).orR
   }
 
   /** The nearest sphere hit: the one whose centre is nearest along the ray. */
@@ -120,58 +132,61 @@ case class RayPipeline(config: RayConfig) extends Component {
       (walkers(s"sphere$i") >= 0 && along > 0, along, U(i, 4 bits))
     }
     val (hit, _, index) = candidates.reduceLeft { (l, r) =>
-      val left = l._1 && (!r._1 || l._2 <= r._2)
+      val left  = l._1 && (!r._1 || l._2 <= r._2)
       val width = scala.math.max(l._2.getWidth, r._2.getWidth)
       (l._1 || r._1, Mux(left, l._2.resize(width), r._2.resize(width)), Mux(left, l._3, r._3))
     }
-    line(0)(SPHERE) := hit
+    line(0)(SPHERE)       := hit
     line(0)(SPHERE_INDEX) := index
   }
 
   /** Quotients by the checker's cell, two bits a stage; only the last bit is kept. */
   for (k <- 0 until divisions; j <- 0 to 1) {
-    val node = line(k + 2)
-    val bits = (0 until quotientBits).reverse.slice(2 * k, 2 * k + 2)
+    val node       = line(k + 2)
+    val bits       = (0 until quotientBits).reverse.slice(2 * k, 2 * k + 2)
     var rest: UInt = node(rests(k)(j))
-    var bit: Bool = False
+    var bit: Bool  = False
     for (i <- bits) {
-      val width = scala.math.max(widthU, widthN + room.cellBits + i) + 1
+      val width   = scala.math.max(widthU, widthN + room.cellBits + i) + 1
       val divisor = (node(N) << (room.cellBits + i)).resize(width)
       bit = rest.resize(width) >= divisor
       rest = Mux(bit, (rest.resize(width) - divisor), rest.resize(width)).resize(widthU)
     }
     node(rests(k + 1)(j)) := rest
-    node(parities(k)(j)) := bit
+    node(parities(k)(j))  := bit
   }
 
   /** Colours of what is hit. */
   val paint = new Area {
-    val last = line(divisions + 2)
+    val last                     = line(divisions + 2)
     private def constant(c: Int) = B(c, 24 bits)
-    val cells = (0 to 2).map { a =>
+    val cells                    = (0 to 2).map { a =>
       Wall.all.map { w =>
-        val j = w.across.indexOf(a)
+        val j   = w.across.indexOf(a)
         val bit = if (j < 0) Bool(w.bit(room)) else last(parities.last(j))
         last(WALL)(w.index) && bit
       }.reduce(_ || _)
     }
     val rgb = Bits(24 bits)
-    val id = UInt(4 bits)
+    val id  = UInt(4 bits)
     rgb := cells.flatMap(c => Seq.fill(8)(c)).reverse.asBits()
-    id := 1
-    for ((q, i) <- scene.quads.zipWithIndex.reverse) when(last(QUADS)(i)) { rgb := constant(q.color); id := 2 + i }
+    id  := 1
+    for ((q, i) <- scene.quads.zipWithIndex.reverse)
+      when(last(QUADS)(i)) { rgb := constant(q.color); id := 2 + i }
     val shown = Bits(24 bits)
     shown := Mux(last(SHADOW), (rgb |>> 1) & B(0x7f7f7f, 24 bits), rgb)
     val shownId = CombInit(id)
     when(!last(WALL).orR) { shown := constant(scene.background); shownId := 0 }
     if (scene.spheres.nonEmpty) when(last(SPHERE)) {
-      shown := Vec(scene.spheres.map(s => constant(s.color))).read(last(SPHERE_INDEX).resize(log2Up(scene.spheres.size)))
+      shown := Vec(
+        scene.spheres.map(s => constant(s.color))
+      ).read(last(SPHERE_INDEX).resize(log2Up(scene.spheres.size)))
       shownId := last(SPHERE_INDEX) + (2 + scene.quads.size)
     }
-    io.down.valid := last.isValid
-    io.down.rgb.r := shown(23 downto 16).asUInt
-    io.down.rgb.g := shown(15 downto 8).asUInt
-    io.down.rgb.b := shown(7 downto 0).asUInt
+    io.down.valid    := last.isValid
+    io.down.rgb.r    := shown(23 downto 16).asUInt
+    io.down.rgb.g    := shown(15 downto 8).asUInt
+    io.down.rgb.b    := shown(7 downto 0).asUInt
     io.down.objectId := shownId
   }
   line.build()

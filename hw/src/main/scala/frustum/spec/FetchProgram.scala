@@ -11,7 +11,8 @@ object FetchProgram {
     * `origin` is subtracted.
     */
   object Field extends Enumeration {
-    val Skip, Position, Z, Q, Color, Texture, Scale, Power, Area, Left, Right, Top, Bottom, FirstX, FirstY = Value
+    val Skip, Position, Z, Q, Color, Texture, Scale, Power, Area, Left, Right, Top, Bottom, FirstX, FirstY =
+      Value
   }
 
   /** @param word   which of the vertex's store words holds the field; it stands at the word's top, except for
@@ -32,7 +33,13 @@ object FetchProgram {
     Row(Field.Position, targets(vertex), if (vertex == 0) Nothing else origin, 0, upper && vertex > 0, take)
 
   private def plane(vertex: Int, word: Int, field: Field.Value, p: Int) =
-    Row(field, Seq(value(p), delta1(p), delta2(p))(vertex), if (vertex == 0) Nothing else value(p), word, take = true)
+    Row(
+      field,
+      Seq(value(p), delta1(p), delta2(p))(vertex),
+      if (vertex == 0) Nothing else value(p),
+      word,
+      take = true
+    )
 
   /** Rows of one vertex: vertex 0's fields, the others' differences. What vertex 0 leaves in a difference's place, vertex 1
     * overwrites.
@@ -59,7 +66,12 @@ object FetchProgram {
 
   /** The walk's corners, relative to vertex 0. */
   val corner: Seq[Row] =
-    Seq(Row(Field.Left, Left, X0), Row(Field.Right, Right, X0), Row(Field.Top, Top, Y0), Row(Field.Bottom, Bottom, Y0))
+    Seq(
+      Row(Field.Left, Left, X0),
+      Row(Field.Right, Right, X0),
+      Row(Field.Top, Top, Y0),
+      Row(Field.Bottom, Bottom, Y0)
+    )
 
   /** The first covered pixel, relative to vertex 0. */
   val pixel: Seq[Row] =
@@ -72,6 +84,7 @@ object FetchProgram {
 
   // Programs begin at these rows of the table; vertex v at 16 v.
   val Corner = 48; val Pixel = 52; val Normal = 56; val GradientShift = 60
+
   /** Rows from here on hold other things. */
   val Rows = 64
 
@@ -79,7 +92,7 @@ object FetchProgram {
   val RowBits = 25
 
   private def encode(program: Seq[Row]): Seq[Int] = program.zipWithIndex.map { case (r, n) =>
-    val next = program.lift(n + 1)
+    val next                     = program.lift(n + 1)
     def bit(b: Boolean, at: Int) = (if (b) 1 else 0) << at
     bit(next.isEmpty, 24) | bit(next.forall(_.word != r.word), 23) | bit(r.take, 22) | bit(r.upper, 21) |
       r.word << 18 | r.field.id << 14 | code(r.origin) << 7 | code(r.target)
@@ -88,7 +101,9 @@ object FetchProgram {
   val image: Seq[Int] = {
     val programs = (0 to 2).map(v => 16 * v -> vertex(v)) ++
       Seq(Corner -> corner, Pixel -> pixel, Normal -> normal, GradientShift -> gradientShift)
-    val rows = programs.flatMap { case (at, program) => encode(program).zipWithIndex.map { case (r, n) => at + n -> r } }.toMap
+    val rows = programs.flatMap { case (at, program) =>
+      encode(program).zipWithIndex.map { case (r, n) => at + n -> r }
+    }.toMap
     require(rows.size == programs.map(_._2.length).sum, "programs of the table overlap")
     (0 until Rows).map(rows.getOrElse(_, 0))
   }

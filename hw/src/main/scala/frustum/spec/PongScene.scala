@@ -2,7 +2,7 @@ package frustum.spec
 
 /** The room of 3-D pong: puck, paddle, walls and light. */
 object PongScene {
-  val Eye = IntVector(0, 0, -320)
+  val Eye   = IntVector(0, 0, -320)
   val Light = IntVector(-120, 200, 160)
 
   /** @param pixel

@@ -10,10 +10,10 @@ class RayAlgebra(b: RayProgramBuilder, width: Int, height: Int) {
   private val h = Interval(0, width)
   private val v = Interval(0, height)
 
-  def constant(x: BigInt): RayWord = b.constant(x)
+  def constant(x: BigInt): RayWord                              = b.constant(x)
   def linear(c0: BigInt, ch: BigInt, cv: BigInt): RayPolynomial =
     RayPolynomial(Seq(c0, ch, cv, BigInt(0), BigInt(0), BigInt(0)).map(constant))
-  def scale(p: RayPolynomial, by: RayWord): RayPolynomial = RayPolynomial(p.c.map(b.multiply(_, by)))
+  def scale(p: RayPolynomial, by: RayWord): RayPolynomial    = RayPolynomial(p.c.map(b.multiply(_, by)))
   def add(p: RayPolynomial, q: RayPolynomial): RayPolynomial =
     RayPolynomial(p.c.zip(q.c).map { case (x, y) => b.add(x, y) })
   def subtract(p: RayPolynomial, q: RayPolynomial): RayPolynomial =
@@ -24,7 +24,7 @@ class RayAlgebra(b: RayProgramBuilder, width: Int, height: Int) {
   /** Square of a linear form. */
   def square(p: RayPolynomial): RayPolynomial = {
     require(p.c.drop(3).forall(_.constant.contains(BigInt(0))), "square of a form that is not linear")
-    val Seq(c, x, y) = p.c.take(3)
+    val Seq(c, x, y)      = p.c.take(3)
     def twice(w: RayWord) = b.add(w, w)
     RayPolynomial(
       Seq(
@@ -40,5 +40,7 @@ class RayAlgebra(b: RayProgramBuilder, width: Int, height: Int) {
 
   /** Range over the picture, from the ranges of the coefficients; constant linear forms exactly. */
   def range(p: RayPolynomial): Interval =
-    p.c.map(_.range).zip(Seq(Interval(1), h, v, h.square, h * v, v.square)).map { case (x, y) => x * y }.reduce(_ + _)
+    p.c.map(_.range).zip(Seq(Interval(1), h, v, h.square, h * v, v.square)).map { case (x, y) =>
+      x * y
+    }.reduce(_ + _)
 }

@@ -30,9 +30,9 @@ case class RayProgram(
     load: Int,
     forms: Seq[RayForm]
 ) {
-  val registers: Int = forms.map(_.registers).sum
-  val wordWidth: Int = words.map(_.range.width).max
-  private val byName = forms.map(f => f.name -> f).toMap
+  val registers: Int              = forms.map(_.registers).sum
+  val wordWidth: Int              = words.map(_.range.width).max
+  private val byName              = forms.map(f => f.name -> f).toMap
   def form(name: String): RayForm = byName(name)
   require(
     wordWidth <= RayProgram.MaxWidth,
@@ -48,37 +48,45 @@ object RayProgram {
 
   def apply(scene: RayScene, width: Int, height: Int): RayProgram = {
     import scene.{camera, room}
-    val b = new RayProgramBuilder
+    val b       = new RayProgramBuilder
     val algebra = new RayAlgebra(b, width, height)
     import algebra._
-    val eye = camera.eye
+    val eye    = camera.eye
     val inputs = ArrayBuffer[RayInput]()
-    def moving(isSphere: Boolean, index: Int, low: IntVector, high: IntVector): Seq[RayWord] = (0 to 2).map { a =>
-      if (low(a) == high(a)) b.constant(low(a))
-      else {
-        val w = b.word(Interval(low(a), high(a)))
-        inputs += RayInput(isSphere, index, a, w.address, w.range)
-        w
-      }
+    def moving(isSphere: Boolean, index: Int, low: IntVector, high: IntVector): Seq[RayWord] = (0 to 2).map {
+      a =>
+        if (low(a) == high(a)) b.constant(low(a))
+        else {
+          val w = b.word(Interval(low(a), high(a)))
+          inputs += RayInput(isSphere, index, a, w.address, w.range)
+          w
+        }
     }
     val centres = scene.spheres.zipWithIndex.map { case (s, i) => moving(true, i, s.low, s.high) }
-    val quads = scene.quads.zipWithIndex.map { case (q, i) => moving(false, i, q.low, q.high) }
+    val quads   = scene.quads.zipWithIndex.map { case (q, i) => moving(false, i, q.low, q.high) }
 
     val direction = (0 to 2).map(a => linear(camera.corner(a), camera.right(a), camera.down(a)))
-    def from(p: Seq[RayWord], q: IntVector) = p.zip(q.axes).map { case (w, x) => b.subtract(w, b.constant(x)) }
+    def from(p: Seq[RayWord], q: IntVector) = p.zip(q.axes).map { case (w, x) =>
+      b.subtract(w, b.constant(x))
+    }
     def length2(p: Seq[RayWord]) = p.map(w => b.multiply(w, w)).reduce(b.add)
 
     /** Polynomials wanted, by name, with their proved range. */
     val wanted = ArrayBuffer[(String, RayPolynomial, Interval)]()
 
     def wantWithin(name: String, p: RayPolynomial, r: Interval): Unit = wanted += ((name, p, r))
-    def want(name: String, p: RayPolynomial): Unit = wantWithin(name, p, range(p))
-    def discriminant(name: String, v: Seq[RayPolynomial], s: Seq[RayWord], radius: Int): (RayPolynomial, RayWord) = {
-      val r2 = BigInt(radius).pow(2)
-      val c = b.subtract(length2(s), b.constant(r2))
+    def want(name: String, p: RayPolynomial): Unit                    = wantWithin(name, p, range(p))
+    def discriminant(
+        name: String,
+        v: Seq[RayPolynomial],
+        s: Seq[RayWord],
+        radius: Int
+    ): (RayPolynomial, RayWord) = {
+      val r2    = BigInt(radius).pow(2)
+      val c     = b.subtract(length2(s), b.constant(r2))
       val along = dot(v, s)
-      val a = v.map(square).reduce(add)
-      val most = v.map(range(_).square).reduce(_ + _).high
+      val a     = v.map(square).reduce(add)
+      val most  = v.map(range(_).square).reduce(_ + _).high
       val cMost = s.map(_.range.square).reduce(_ + _).high
       wantWithin(name, subtract(square(along), scale(a, c)), Interval(-most * cMost, most * r2))
       (along, c)
@@ -88,12 +96,18 @@ object RayProgram {
     for (w <- Wall.all) {
       val n = scale(direction(w.axis), b.constant(w.sign))
       for (u <- w.across)
-        want(s"across${w.index}_$u", add(scale(n, b.constant(eye(u) - room.low(u))), scale(direction(u), b.constant(w.distance(scene)))))
+        want(
+          s"across${w.index}_$u",
+          add(scale(n, b.constant(eye(u) - room.low(u))), scale(direction(u), b.constant(w.distance(scene))))
+        )
     }
     for ((q, i) <- quads.zipWithIndex; u <- 0 to 1) {
-      val wall = Wall.back
+      val wall   = Wall.back
       val offset = b.subtract(b.constant(eye(u) + scene.quads(i).half), q(u))
-      want(s"quad${i}_$u", add(scale(direction(2), offset), scale(direction(u), b.constant(wall.distance(scene)))))
+      want(
+        s"quad${i}_$u",
+        add(scale(direction(2), offset), scale(direction(u), b.constant(wall.distance(scene))))
+      )
     }
     for ((centre, i) <- centres.zipWithIndex) {
       val (along, _) = discriminant(s"sphere$i", direction, from(centre, eye), scene.spheres(i).radius)
@@ -123,17 +137,17 @@ object RayProgram {
       width: Int,
       height: Int
   ): RayProgram = {
-    val rows = Interval(0, height)
+    val rows                     = Interval(0, height)
     def degree(p: RayPolynomial) = {
       val quadratic = p.c.drop(3).exists(!_.constant.contains(BigInt(0)))
-      val linear = p.c.slice(1, 3).exists(!_.constant.contains(BigInt(0)))
+      val linear    = p.c.slice(1, 3).exists(!_.constant.contains(BigInt(0)))
       if (quadratic) 3 else if (linear) 2 else 1
     }
     // Start values are made first, so that the state words can follow one another.
     val starts = wanted.map { case (_, p, r) =>
       val Seq(c, x, y, xx, xy, yy) = p.c
-      val column = (c.range + y.range * rows + yy.range * rows.square)
-      val value = Interval(column.low.min(r.low), column.high.max(r.high))
+      val column                   = (c.range + y.range * rows + yy.range * rows.square)
+      val value                    = Interval(column.low.min(r.low), column.high.max(r.high))
       degree(p) match {
         case 1 => Seq((c, c.range))
         case 2 => Seq((c, value), (x, x.range))
@@ -145,7 +159,7 @@ object RayProgram {
     val rowSteps = wanted.map { case (_, p, _) =>
       if (degree(p) == 3) Some((b.add(p.c(2), p.c(5)), b.add(p.c(5), p.c(5)))) else None
     }
-    val load = b.words.size
+    val load  = b.words.size
     val state = starts.map(_.map { case (_, range) => b.word(range) })
     for ((s, from) <- state.zip(starts); (to, (w, _)) <- s.zip(from)) b.copy(to, w)
     for (((s, (_, p, _)), steps) <- state.zip(wanted).zip(rowSteps)) steps match {
@@ -158,7 +172,9 @@ object RayProgram {
       case None => if (s.size > 1) b.advance(s(0), p.c(2))
     }
     val registers = state.scanLeft(0)(_ + _.size)
-    val forms = wanted.zip(state).zip(registers).map { case (((name, _, r), s), at) => RayForm(name, at, s.size, r) }
+    val forms     = wanted.zip(state).zip(registers).map { case (((name, _, r), s), at) =>
+      RayForm(name, at, s.size, r)
+    }
     RayProgram(b.words.toIndexedSeq, inputs, b.frame.toSeq, b.row.toSeq, load, forms)
   }
 }

@@ -7,7 +7,7 @@ case class RayStep(op: Int, to: Int, a: Int, b: Int)
 
 object RayStep {
   val Multiply = 0
-  val Add = 1
+  val Add      = 1
   val Subtract = 2
 }
 
@@ -18,9 +18,9 @@ class RayWord(val range: Interval, val constant: Option[BigInt], var address: In
   * by interval arithmetic.
   */
 class RayProgramBuilder {
-  val words = ArrayBuffer[RayWord]()
-  val frame = ArrayBuffer[RayStep]()
-  val row = ArrayBuffer[RayStep]()
+  val words             = ArrayBuffer[RayWord]()
+  val frame             = ArrayBuffer[RayStep]()
+  val row               = ArrayBuffer[RayStep]()
   private val constants = LinkedHashMap[BigInt, RayWord]()
 
   def constant(v: BigInt): RayWord = constants.getOrElseUpdate(v, new RayWord(Interval(v), Some(v)))
@@ -57,11 +57,11 @@ class RayProgramBuilder {
   }
 
   def multiply(a: RayWord, b: RayWord): RayWord = (a.constant, b.constant) match {
-    case (Some(x), Some(y))           => constant(x * y)
-    case _ if is(a, 0) || is(b, 0)    => constant(0)
-    case _ if is(a, 1)                => b
-    case _ if is(b, 1)                => a
-    case _                            => step(RayStep.Multiply, if (a eq b) a.range.square else a.range * b.range, a, b)
+    case (Some(x), Some(y))        => constant(x * y)
+    case _ if is(a, 0) || is(b, 0) => constant(0)
+    case _ if is(a, 1)             => b
+    case _ if is(b, 1)             => a
+    case _ => step(RayStep.Multiply, if (a eq b) a.range.square else a.range * b.range, a, b)
   }
 
   /** Puts `from` into the state word `to` at the start of each frame. */

@@ -16,9 +16,21 @@ object RayCamera {
     * rays through the centres of pixels are whole numbers; `centred` = false takes their lower left corners
     * (h - width / 2, height / 2 - 1 - v).
     */
-  def forward(eye: IntVector, width: Int, height: Int, focal: Int, pixel: Int = 1, centred: Boolean = true): RayCamera = {
+  def forward(
+      eye: IntVector,
+      width: Int,
+      height: Int,
+      focal: Int,
+      pixel: Int = 1,
+      centred: Boolean = true
+  ): RayCamera = {
     val (x, y) = if (centred) (1 - width, height - 1) else (-width, height - 2)
-    RayCamera(eye, IntVector(x * pixel, y * pixel, 2 * focal), IntVector(2 * pixel, 0, 0), IntVector(0, -2 * pixel, 0))
+    RayCamera(
+      eye,
+      IntVector(x * pixel, y * pixel, 2 * focal),
+      IntVector(2 * pixel, 0, 0),
+      IntVector(0, -2 * pixel, 0)
+    )
   }
 }
 
@@ -50,7 +62,10 @@ case class RayScene(
   for (a <- 0 to 2)
     require(room.low(a) < room.high(a), s"room of no extent along axis $a: ${room.low(a)} to ${room.high(a)}")
   for (a <- 0 to 1)
-    require(room.low(a) < eye(a) && eye(a) < room.high(a), s"eye $eye outside the walls ${room.low} to ${room.high}")
+    require(
+      room.low(a) < eye(a) && eye(a) < room.high(a),
+      s"eye $eye outside the walls ${room.low} to ${room.high}"
+    )
   require(eye.z < room.high.z, s"eye $eye behind the back wall z = ${room.high.z}")
   require(room.cellBits >= 0 && room.cellBits <= 12, s"checker cells of 2^${room.cellBits}")
   for ((s, i) <- spheres.zipWithIndex) {
@@ -59,7 +74,10 @@ case class RayScene(
       val d = scala.math.max(0, scala.math.max(s.low(a) - eye(a), eye(a) - s.high(a)))
       d.toLong * d
     }.sum
-    require(apart > s.radius.toLong * s.radius, s"eye $eye inside sphere $i: radius ${s.radius}, centre ${s.low} to ${s.high}")
+    require(
+      apart > s.radius.toLong * s.radius,
+      s"eye $eye inside sphere $i: radius ${s.radius}, centre ${s.low} to ${s.high}"
+    )
     for (a <- 0 to 2) {
       require(s.low(a) <= s.high(a), s"sphere $i: centre from ${s.low} to ${s.high}")
       require(
@@ -69,13 +87,16 @@ case class RayScene(
     }
   }
   for (p <- light; a <- 0 to 2)
-    require(room.low(a) <= p(a) && p(a) <= room.high(a), s"light $p outside the room ${room.low} to ${room.high}")
+    require(
+      room.low(a) <= p(a) && p(a) <= room.high(a),
+      s"light $p outside the room ${room.low} to ${room.high}"
+    )
   for ((q, i) <- quads.zipWithIndex) require(q.half > 0, s"quad $i is degenerate: half size ${q.half}")
 }
 
 object RayScene {
   val MaxSpheres = 8
-  val MaxQuads = 4
+  val MaxQuads   = 4
 }
 
 /** Where the moving things of a scene are during one frame. */

@@ -33,6 +33,8 @@ case class VideoMode(
 }
 
 object VideoMode {
-  val Vga640x480 = VideoMode("640x480", 25.175, 640, 480, 16, 96, 48, 10, 2, 33, hPositive = false, vPositive = false)
-  val Svga800x600 = VideoMode("800x600", 40.0, 800, 600, 40, 128, 88, 1, 4, 23, hPositive = true, vPositive = true)
+  val Vga640x480 =
+    VideoMode("640x480", 25.175, 640, 480, 16, 96, 48, 10, 2, 33, hPositive = false, vPositive = false)
+  val Svga800x600 =
+    VideoMode("800x600", 40.0, 800, 600, 40, 128, 88, 1, 4, 23, hPositive = true, vPositive = true)
 }

@@ -19,5 +19,5 @@ case class Wall(index: Int, axis: Int, sign: Int) {
 
 object Wall {
   val all: Seq[Wall] = Seq(Wall(0, 0, -1), Wall(1, 0, 1), Wall(2, 1, -1), Wall(3, 1, 1), Wall(4, 2, 1))
-  val back: Wall = all.last
+  val back: Wall     = all.last
 }

@@ -18,24 +18,31 @@ case class RayCounts(
   * are read from the colours: a component above 191 of a lit cell, above 63 of any.
   */
 class RayJudge(scene: RayScene, width: Int, height: Int) {
-  private val exact = new ExactRay(scene)
+  private val exact       = new ExactRay(scene)
   private val firstSphere = 2 + scene.quads.size
 
   def apply(motion: RayMotion, objects: Array[Int], rgb: Array[Int]): RayCounts = {
-    require(objects.length == width * height && rgb.length == width * height, s"${rgb.length} pixels for $width x $height")
+    require(
+      objects.length == width * height && rgb.length == width * height,
+      s"${rgb.length} pixels for $width x $height"
+    )
     var silhouette, shadow, wrong, cells, over = 0
-    var most = 0.0
-    val want = new Array[Int](width * height)
+    var most                                   = 0.0
+    val want                                   = new Array[Int](width * height)
     for (v <- 0 until height; h <- 0 until width) {
-      val at = v * width + h
-      val e = exact(motion, h, v)
+      val at   = v * width + h
+      val e    = exact(motion, h, v)
       val seen = Seq(16, 8, 0).map(s => rgb(at) >> s & 255)
       want(at) = Seq(16, 8, 0).zip(e.rgb).map { case (s, c) => scala.math.round(c).toInt << s }.sum
       if ((objects(at) >= firstSphere) != (e.objectId >= firstSphere)) silhouette += 1
       if (objects(at) != e.objectId) wrong += 1
       else if (e.objectId == 1 || e.objectId >= 2 && e.objectId < firstSphere) {
         if (e.rgb.max > 0 && (seen.max < 192) != e.shadowed) shadow += 1
-        if (e.objectId == 1 && seen.zipWithIndex.map { case (c, i) => (if (c > 63) 1 else 0) << i }.sum != e.cell) cells += 1
+        if (
+          e.objectId == 1 && seen.zipWithIndex.map { case (c, i) =>
+            (if (c > 63) 1 else 0) << i
+          }.sum != e.cell
+        ) cells += 1
       }
       val error = seen.zip(e.rgb).map { case (s, c) => (s - c).abs }.max
       most = most.max(error)

@@ -11,9 +11,9 @@ import scala.util.Random
 
 class AlphaTestBench(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val up = slave(Stream(ColoredFragment(config)))
+    val up    = slave(Stream(ColoredFragment(config)))
     val state = in(frustum.raster.RenderStateWord())
-    val down = master(Stream(ColoredFragment(config)))
+    val down  = master(Stream(ColoredFragment(config)))
   }
   FlowUnit(io.up, io.down, 2) { up =>
     val unit = AlphaTest(config)
@@ -24,16 +24,19 @@ class AlphaTestBench(config: RasterConfig) extends Component {
 }
 
 class AlphaTestTest extends AnyFunSuite {
-  private val config = RasterConfig()
+  private val config    = RasterConfig()
   private lazy val unit = FrustumSim.compile("AlphaTest")(new AlphaTestBench(config))
 
   for (reference <- Seq(0, 1, 16, 31))
     test(s"drops what is below $reference, and no mark") {
-      val random = new Random(1)
+      val random  = new Random(1)
       val corners = for (a <- 0 to 31; end <- Seq(false, true)) yield (random.nextInt(1 << 24), a, end)
-      val inputs = corners ++ Seq.fill(1000)((random.nextInt(1 << 24), random.nextInt(32), random.nextInt(20) == 0))
+      val inputs  =
+        corners ++ Seq.fill(1000)((random.nextInt(1 << 24), random.nextInt(32), random.nextInt(20) == 0))
       Equality(unit)(_.io.up, _.io.down)(
-        (p: ColoredFragment, in: (Int, Int, Boolean)) => { AlphaTestTest.rest(p, in._1); p.a #= in._2; p.tileEnd #= in._3 },
+        (p: ColoredFragment, in: (Int, Int, Boolean)) => {
+          AlphaTestTest.rest(p, in._1); p.a #= in._2; p.tileEnd #= in._3
+        },
         (p: ColoredFragment) => (AlphaTestTest.rest(p), p.a.toInt, p.tileEnd.toBoolean)
       ).run(
         inputs,
@@ -52,5 +55,6 @@ object AlphaTestTest {
     p.x #= bits & 15; p.y #= (bits >> 4) & 15
     p.r #= (bits >> 8) & 31; p.g #= (bits >> 13) & 63; p.b #= (bits >> 19) & 31
   }
-  def rest(p: ColoredFragment): Int = p.x.toInt | p.y.toInt << 4 | p.r.toInt << 8 | p.g.toInt << 13 | p.b.toInt << 19
+  def rest(p: ColoredFragment): Int =
+    p.x.toInt | p.y.toInt << 4 | p.r.toInt << 8 | p.g.toInt << 13 | p.b.toInt << 19
 }

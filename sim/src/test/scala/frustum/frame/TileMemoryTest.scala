@@ -9,18 +9,18 @@ import scala.util.Random
 
 class TileMemoryTest extends AnyFunSuite {
   private val config = RasterConfig(19, 21, 3, 3)
-  private val words = 64
-  private val seed = 9
+  private val words  = 64
+  private val seed   = 9
 
   for (resolved <- Seq(true, false))
     test(s"a bank is drawn to while the other is ${if (resolved) "resolved and cleared" else "cleared"}") {
       FrustumSim.compile(s"TileMemory_$resolved")(TileMemory(config, 16, resolved)).doSim(seed) { dut =>
-        val r = new Random(seed)
-        val banks = Array.fill(2, words)(0)
-        var drawn = 0 // what was read last, and must still be shown
-        var shown = 0
+        val r               = new Random(seed)
+        val banks           = Array.fill(2, words)(0)
+        var drawn           = 0 // what was read last, and must still be shown
+        var shown           = 0
         var reads, resolves = 0
-        val clear = dut.io.clear
+        val clear           = dut.io.clear
         dut.io.readEnable #= false
         dut.io.writeEnable #= false
         Seq(clear.active, clear.all, clear.read, clear.write, clear.done).foreach(_ #= false)
@@ -40,16 +40,16 @@ class TileMemoryTest extends AnyFunSuite {
 
         for (block <- 0 until 200) {
           // Those who draw have one bank, the resolver the other, or nothing at all.
-          val mine = r.nextInt(2)
+          val mine   = r.nextInt(2)
           val active = r.nextInt(4) > 0
           clear.active #= active
           clear.bank #= 1 - mine
           var known, knownResolved = false
           for (clock <- 0 until 40) {
             val at = r.shuffle((0 until words).toList) // apart: a word is not read in the clock it is written
-            def chance = r.nextInt(4) > 0
+            def chance                       = r.nextInt(4) > 0
             val (read, write, resolve, wipe) = (chance, chance, active && chance, chance)
-            val (data, wiped) = (r.nextInt(65536), r.nextInt(65536))
+            val (data, wiped)                = (r.nextInt(65536), r.nextInt(65536))
             dut.io.readEnable #= read
             dut.io.readBank #= (if (read) mine else r.nextInt(2))
             dut.io.readAddress #= at(0)
@@ -65,7 +65,9 @@ class TileMemoryTest extends AnyFunSuite {
             sleep(1)
             def where = s"seed $seed block $block clock $clock"
             if (known) { reads += 1; assert(dut.io.readData.toInt == drawn, s"$where: drawn") }
-            if (resolved && knownResolved) { resolves += 1; assert(dut.io.resolvedData.toInt == shown, s"$where: resolved") }
+            if (resolved && knownResolved) {
+              resolves += 1; assert(dut.io.resolvedData.toInt == shown, s"$where: resolved")
+            }
             dut.clockDomain.waitSampling()
             if (read) { drawn = banks(mine)(at(0)); known = true }
             if (resolve) { shown = banks(1 - mine)(at(2)); knownResolved = true }

@@ -12,14 +12,19 @@ class VertexCheckTest extends AnyFunSuite {
 
   test("refuses what the vertex's own rule refuses, as soon as it is known") {
     FrustumSim.compile("VertexCheck")(VertexCheck()).doSim(seed) { dut =>
-      val r = new Random(seed)
-      val good = PackedVertex(0, 0, 0, 32768, 0, 0, 0, 0, 0, 0, 0).words
-      val edges = Seq(0, 1, 0x3f, 0x40, 0x7f, 0x80, 0x3fff, 0x4000, 0x4001, 0x7fff, 0x8000, 0x8001, 0xbfff, 0xc000, 0xc001, 0xffff)
+      val r     = new Random(seed)
+      val good  = PackedVertex(0, 0, 0, 32768, 0, 0, 0, 0, 0, 0, 0).words
+      val edges = Seq(0, 1, 0x3f, 0x40, 0x7f, 0x80, 0x3fff, 0x4000, 0x4001, 0x7fff, 0x8000, 0x8001, 0xbfff,
+        0xc000, 0xc001, 0xffff)
       val vertices =
         // each word at its limits, each pair of texture words at theirs
         (for (w <- 0 until PackedVertex.WireWords; v <- edges) yield good.updated(w, v)) ++
-          (for (w <- Seq(4, 6); high <- 0 to 0x7ff; low <- Seq(0, 1, 0xffff)) yield good.updated(w, r.nextInt(32) << 11 | high).updated(w + 1, low)) ++
-          Seq.fill(3000)(good.map(w => if (r.nextInt(8) == 0) edges(r.nextInt(edges.size)) else if (r.nextBoolean()) r.nextInt(65536) else w))
+          (for (w <- Seq(4, 6); high <- 0 to 0x7ff; low <- Seq(0, 1, 0xffff))
+            yield good.updated(w, r.nextInt(32) << 11 | high).updated(w + 1, low)) ++
+          Seq.fill(3000)(good.map(w =>
+            if (r.nextInt(8) == 0) edges(r.nextInt(edges.size))
+            else if (r.nextBoolean()) r.nextInt(65536) else w
+          ))
 
       dut.io.clear #= false
       dut.io.word.valid #= false
@@ -41,10 +46,10 @@ class VertexCheckTest extends AnyFunSuite {
           dut.io.word.valid #= false
           sleep(1)
           // what is still to come is taken to be good; half a texture coordinate tells nothing of its lowest value
-          val known = if (i % 2 == 0 && i > 1) i else i + 1
+          val known  = if (i % 2 == 0 && i > 1) i else i + 1
           val should = PackedVertex.decode(v.take(known) ++ good.drop(known)).fault.isDefined
-          val fault = dut.io.fault.toBoolean
-          def where = s"seed $seed vertex $n, word $i of ${v.map(w => f"$w%04x").mkString(" ")}"
+          val fault  = dut.io.fault.toBoolean
+          def where  = s"seed $seed vertex $n, word $i of ${v.map(w => f"$w%04x").mkString(" ")}"
           if (i % 2 == 1) assert(fault == should, where) else assert(!should || fault, where)
         }
         if (dut.io.fault.toBoolean) refused += 1

@@ -18,24 +18,41 @@ class RasterizerCoverageTest extends AnyFunSuite {
   /** The pixels each triangle of a pass covers, by the model. */
   private def drawn(config: RasterConfig, pass: FramePass): ArrayBuffer[LoggedFragment] = {
     val log = ArrayBuffer.empty[LoggedFragment]
-    Rasterizer(config).draw(pass, new FragmentSink {
-      private var (left, top) = (0, 0)
-      def tile(x: Int, y: Int): Unit = { left = x * config.tileWidth; top = y * config.tileHeight }
-      def fragment(n: Int, state: RenderState, x: Int, y: Int, s: Int, t: Int, q: Int, z: Int, r: Int, g: Int, b: Int, a: Int): Unit =
-        log += LoggedFragment(n, left + x, top + y, 0, 0, 0)
-      def tileEnd(x: Int, y: Int): Unit = ()
-    })
+    Rasterizer(config).draw(
+      pass,
+      new FragmentSink {
+        private var (left, top)        = (0, 0)
+        def tile(x: Int, y: Int): Unit = { left = x * config.tileWidth; top = y * config.tileHeight }
+        def fragment(
+            n: Int,
+            state: RenderState,
+            x: Int,
+            y: Int,
+            s: Int,
+            t: Int,
+            q: Int,
+            z: Int,
+            r: Int,
+            g: Int,
+            b: Int,
+            a: Int
+        ): Unit =
+          log += LoggedFragment(n, left + x, top + y, 0, 0, 0)
+        def tileEnd(x: Int, y: Int): Unit = ()
+      }
+    )
     log
   }
 
-  private def wrong(config: RasterConfig, pass: FramePass): Long = CoverageJudge.judge(pass, drawn(config, pass), config).wrong
+  private def wrong(config: RasterConfig, pass: FramePass): Long =
+    CoverageJudge.judge(pass, drawn(config, pass), config).wrong
 
   test("10,000 hard triangles: no pixel wrong") {
     val config = RasterConfig(width = 128, height = 96)
     val hard   = new HardTriangles(config, new Random(seed))
     val batch  = 10 * hard.kinds.size
     val passes = Iterator.fill((10000 + batch - 1) / batch)(hard.pass(batch))
-    val total = passes.zipWithIndex.foldLeft(CoverageJudge.Clean) { case (sum, (pass, n)) =>
+    val total  = passes.zipWithIndex.foldLeft(CoverageJudge.Clean) { case (sum, (pass, n)) =>
       val verdict = CoverageJudge.judge(pass, drawn(config, pass), config)
       if (verdict.wrong != 0) {
         val one = pass.triangles.indices.find { i =>
@@ -54,20 +71,31 @@ class RasterizerCoverageTest extends AnyFunSuite {
   }
 
   for (config <- Seq(RasterConfig(64, 48, 3, 3), RasterConfig(128, 96), RasterConfig(97, 65, 5, 4)))
-    test(s"meshes cover each pixel once, ${config.width} x ${config.height}, tiles of ${config.tileWidth} x ${config.tileHeight}") {
+    test(
+      s"meshes cover each pixel once, ${config.width} x ${config.height}, tiles of ${config.tileWidth} x ${config.tileHeight}"
+    ) {
       val hard    = new HardTriangles(config, new Random(seed))
       val (w, h)  = (16 * config.width + 152, 16 * config.height + 152)
       val corners = Seq((-168, -168), (w, -168), (w, h), (-168, h)) // pixel centres
       val screen  = Seq(Seq(corners(0), corners(1), corners(2)), Seq(corners(0), corners(2), corners(3)))
-      val island  = Seq(Seq((16 * config.width - 23, 37), (16 * config.width - 75, 16 * config.height - 99), (11, 16 * config.height / 2 + 8)))
+      val island  = Seq(Seq(
+        (16 * config.width - 23, 37),
+        (16 * config.width - 75, 16 * config.height - 99),
+        (11, 16 * config.height / 2 + 8)
+      ))
       for ((outline, count) <- Seq(screen -> 40, screen -> 400, island -> 200)) {
         val pass     = hard.meshPass(hard.mesh(outline, count).map(_.map(hard.vertex)))
-        val expected = ExactCoverage.additiveCount(ExactCoverage.of(hard.meshPass(outline.map(_.map(hard.vertex)).toIndexedSeq)), config)
+        val expected = ExactCoverage.additiveCount(
+          ExactCoverage.of(hard.meshPass(outline.map(_.map(hard.vertex)).toIndexedSeq)),
+          config
+        )
         if (outline == screen) assert(expected.forall(_ == 1))
         val got = new Array[Int](config.width * config.height)
         drawn(config, pass).foreach(f => got(f.y * config.width + f.x) += 1)
         val bad = got.indices.filter(i => got(i) != expected(i))
-        if (bad.nonEmpty) fail(s"seed $seed, $count triangles: ${bad.size} pixels, first ${bad.headOption.map(i => (i % config.width, i / config.width, got(i)))}")
+        if (bad.nonEmpty) fail(s"seed $seed, $count triangles: ${bad.size} pixels, first ${bad.headOption.map(
+            i => (i % config.width, i / config.width, got(i))
+          )}")
         assert(wrong(config, pass) == 0)
       }
     }

@@ -10,7 +10,7 @@ import scala.util.Random
 /** Model against exact arithmetic: no object, silhouette, shadow or cell may differ. */
 class RayModelTest extends AnyFunSuite {
   private val (width, height) = (40, 30)
-  private val pong = PongScene.room(width, height, 16)
+  private val pong            = PongScene.room(width, height, 16)
 
   private def judge(scene: RayScene, motions: Seq[RayMotion]): Seq[RayCounts] = {
     val (picture, judge) = (new RayPicture(scene, width, height), new RayJudge(scene, width, height))
@@ -37,7 +37,10 @@ class RayModelTest extends AnyFunSuite {
 
   test("pong: puck in the room's corners, at the light, and around it") {
     val corners = for (x <- Seq(-300, 300); y <- Seq(-220, 220); z <- Seq(20, 620)) yield at(x, y, z)
-    judge(pong, corners ++ Seq(at(-120, 200, 160), at(-120, 180, 160), at(-120, 179, 160), at(-100, 200, 160))).foreach(exact)
+    judge(
+      pong,
+      corners ++ Seq(at(-120, 200, 160), at(-120, 180, 160), at(-120, 179, 160), at(-100, 200, 160))
+    ).foreach(exact)
   }
 
   test("puck beyond z = 512 shrinks and does not wrap") {

@@ -19,13 +19,15 @@ class TimedRay(config: RayConfig) extends RayPipeline(config) {
 
 /** Hardware = model: whole frames, pixel by pixel, and the latency that the design tells. */
 class RayPipelineTest extends AnyFunSuite {
+
   /** A small picture with blanks long enough for the set-up. */
-  private val mode = VideoMode("200x12", 25.175, 200, 12, 16, 96, 400, 40, 40, 120, hPositive = false, vPositive = false)
+  private val mode =
+    VideoMode("200x12", 25.175, 200, 12, 16, 96, 400, 40, 40, 120, hPositive = false, vPositive = false)
 
   private def compare(name: String, scene: RayScene, frames: Int, seed: Int): Unit = {
-    val random = new Random(seed)
+    val random  = new Random(seed)
     val motions = Seq.fill(frames)(RandomScenes.motion(scene, random))
-    val model = new RayPicture(scene, mode.width, mode.height)
+    val model   = new RayPicture(scene, mode.width, mode.height)
     FrustumSim.compile(s"RayPipeline_$name")(new TimedRay(RayConfig(scene, mode))).doSim(name, seed) { dut =>
       SimTimeout(100L * 1000 * 1000)
       dut.clockDomain.forkStimulus(10)
@@ -34,7 +36,10 @@ class RayPipelineTest extends AnyFunSuite {
       dut.io.up.valid #= false
       val seen = ArrayBuffer[ModelPixel]()
       dut.clockDomain.onSamplings {
-        assert(dut.io.down.valid.toBoolean == dut.expected.toBoolean, s"latency is not ${dut.latency}, seed $seed")
+        assert(
+          dut.io.down.valid.toBoolean == dut.expected.toBoolean,
+          s"latency is not ${dut.latency}, seed $seed"
+        )
         if (dut.io.down.valid.toBoolean) {
           val c = dut.io.down.rgb
           seen += ModelPixel(c.r.toInt << 16 | c.g.toInt << 8 | c.b.toInt, dut.io.down.objectId.toInt)
@@ -48,7 +53,9 @@ class RayPipelineTest extends AnyFunSuite {
         dut.io.latch #= true
         dut.clockDomain.waitSampling()
         dut.io.latch #= false
-        for (p <- dut.io.motion.spheres ++ dut.io.motion.quads) { p.x.randomize(); p.y.randomize(); p.z.randomize() }
+        for (p <- dut.io.motion.spheres ++ dut.io.motion.quads) {
+          p.x.randomize(); p.y.randomize(); p.z.randomize()
+        }
         dut.clockDomain.waitSampling(dut.setUpClocks)
         seen.clear()
         for (y <- 0 until mode.height) {
@@ -66,7 +73,10 @@ class RayPipelineTest extends AnyFunSuite {
         val want = model(m)
         assert(seen.size == want.length)
         for ((w, i) <- want.zipWithIndex)
-          assert(seen(i) == w, s"frame $f pixel (${i % mode.width}, ${i / mode.width}) of $name, seed $seed, $m")
+          assert(
+            seen(i) == w,
+            s"frame $f pixel (${i % mode.width}, ${i / mode.width}) of $name, seed $seed, $m"
+          )
       }
     }
   }

@@ -5,12 +5,14 @@ import frustum.spec.{PongScene, VideoMode}
 
 /** Writes the ray caster of pong alone as Verilog, for a synthesis check: arguments folder, optionally "noLight". */
 object RayVerilog extends App {
-  private val scene = PongScene.room()
+  private val scene  = PongScene.room()
   private val chosen = if (args.contains("noLight")) scene.copy(light = None) else scene
   private val config = RayConfig(chosen, VideoMode.Vga640x480)
   FrustumSim.spinalConfig.copy(targetDirectory = args.head).generateVerilog {
     val r = RayPipeline(config)
-    println(s"set-up ${r.setUpClocks} of ${config.mode.blankClocks} clocks, row load ${r.lineClocks} of ${config.mode.hBlank}, words ${config.program.words.size} x ${config.program.wordWidth}, latency ${r.latency}")
+    println(
+      s"set-up ${r.setUpClocks} of ${config.mode.blankClocks} clocks, row load ${r.lineClocks} of ${config.mode.hBlank}, words ${config.program.words.size} x ${config.program.wordWidth}, latency ${r.latency}"
+    )
     for (f <- config.program.forms) println(s"${f.name} ${f.width}")
     r
   }

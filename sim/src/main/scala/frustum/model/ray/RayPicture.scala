@@ -7,22 +7,22 @@ case class RayPixel(rgb: Int, objectId: Int)
 
 /** Bit-exact model of the ray caster. */
 class RayPicture(scene: RayScene, width: Int, height: Int) {
-  private val program = RayProgram(scene, width, height)
-  private val setup = new RaySetup(program)
-  private val forms = program.forms.toArray
-  private val index = forms.map(_.name).zipWithIndex.toMap
-  private val room = scene.room
-  private val value = new Array[Long](forms.length)
-  private val step = new Array[Long](forms.length)
-  private val curve = new Array[Long](forms.length)
+  private val program                   = RayProgram(scene, width, height)
+  private val setup                     = new RaySetup(program)
+  private val forms                     = program.forms.toArray
+  private val index                     = forms.map(_.name).zipWithIndex.toMap
+  private val room                      = scene.room
+  private val value                     = new Array[Long](forms.length)
+  private val step                      = new Array[Long](forms.length)
+  private val curve                     = new Array[Long](forms.length)
   private def apply(name: String): Long = value(index(name))
 
   private val direction = (0 to 2).map(a => index(s"direction$a"))
-  private val across = Wall.all.map(w => w.across.map(u => index(s"across${w.index}_$u")))
-  private val quads = scene.quads.indices.map(i => (0 to 1).map(u => index(s"quad${i}_$u")))
-  private val spheres = scene.spheres.indices.map(i => (index(s"sphere$i"), index(s"along$i")))
-  private val lit = scene.light.isDefined
-  private val shadows = scene.spheres.indices.map { i =>
+  private val across    = Wall.all.map(w => w.across.map(u => index(s"across${w.index}_$u")))
+  private val quads     = scene.quads.indices.map(i => (0 to 1).map(u => index(s"quad${i}_$u")))
+  private val spheres   = scene.spheres.indices.map(i => (index(s"sphere$i"), index(s"along$i")))
+  private val lit       = scene.light.isDefined
+  private val shadows   = scene.spheres.indices.map { i =>
     if (!lit) Nil else Wall.all.map(w => (index(s"shadow${i}_${w.index}"), index(s"gate${i}_${w.index}")))
   }
 
@@ -60,23 +60,23 @@ class RayPicture(scene: RayScene, width: Int, height: Int) {
       }
     }
     wall match {
-      case None => RayPixel(scene.background, 0)
+      case None    => RayPixel(scene.background, 0)
       case Some(w) =>
         val shadowed = shadows.indices.exists { i =>
           lit && {
-            val enclosed = index.get(s"enclosed$i").exists(value(_) <= 0)
+            val enclosed  = index.get(s"enclosed$i").exists(value(_) <= 0)
             val (q, gate) = shadows(i)(w.index)
             enclosed || (value(gate) > 0 && value(q) >= 0)
           }
         }
-        val n = w.sign * value(direction(w.axis))
+        val n    = w.sign * value(direction(w.axis))
         val quad = if (w != Wall.back) None
         else quads.indices.find { i =>
           quads(i).forall { f => value(f) >= 0 && 2L * scene.quads(i).half * n - value(f) >= 0 }
         }
         val (color, id) = quad match {
           case Some(i) => (scene.quads(i).color, 2 + i)
-          case None =>
+          case None    =>
             val bits = (0 to 2).map { a =>
               val j = w.across.indexOf(a)
               if (j < 0) w.bit(room) else (value(across(w.index)(j)) / (n << room.cellBits) & 1) == 1

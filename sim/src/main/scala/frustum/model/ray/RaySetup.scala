@@ -20,7 +20,7 @@ class RaySetup(program: RayProgram) {
 
   def frame(motion: RayMotion): Unit = {
     for (i <- program.inputs) {
-      val v = (if (i.isSphere) motion.spheres else motion.quads)(i.index)(i.axis)
+      val v = (if (i.isSphere) motion.spheres else motion.quads) (i.index)(i.axis)
       require(
         i.range.contains(v),
         s"${if (i.isSphere) "sphere" else "quad"} ${i.index} at $v on axis ${i.axis}, accepted ${i.range.low} to ${i.range.high}"

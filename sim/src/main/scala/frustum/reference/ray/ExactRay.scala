@@ -13,13 +13,13 @@ case class ExactPixel(objectId: Int, sphere: Int, shadowed: Boolean, cell: Int, 
 class ExactRay(scene: RayScene) {
   import scene.{camera, room}
   private type V = Seq[BigInt]
-  private def big(v: IntVector): V = v.axes.map(BigInt(_))
+  private def big(v: IntVector): V    = v.axes.map(BigInt(_))
   private def dot(a: V, b: V): BigInt = a.zip(b).map { case (x, y) => x * y }.sum
-  private def minus(a: V, b: V): V = a.zip(b).map { case (x, y) => x - y }
+  private def minus(a: V, b: V): V    = a.zip(b).map { case (x, y) => x - y }
 
   /** Sphere (C, r) and the ray E + t D: (|D|^2, D.(C - E), discriminant) of |E + t D - C|^2 = r^2. */
   private def sphere(e: V, d: V, c: V, r: Int): (BigInt, BigInt, BigInt) = {
-    val o = minus(c, e)
+    val o      = minus(c, e)
     val (a, b) = (dot(d, d), dot(d, o))
     (a, b, b * b - a * (dot(o, o) - BigInt(r).pow(2)))
   }
@@ -28,8 +28,8 @@ class ExactRay(scene: RayScene) {
   private def nearRootBelow(b: BigInt, q: BigInt, s: BigInt): Boolean = s > b || (b - s) * (b - s) < q
 
   def apply(motion: RayMotion, h: Int, v: Int): ExactPixel = {
-    val d = big(camera.direction(h, v))
-    val e = big(camera.eye)
+    val d    = big(camera.direction(h, v))
+    val e    = big(camera.eye)
     val hits = motion.spheres.indices.flatMap { i =>
       val (a, b, q) = sphere(e, d, big(motion.spheres(i)), scene.spheres(i).radius)
       // Both roots positive: the eye is outside, so their product is.
@@ -37,8 +37,9 @@ class ExactRay(scene: RayScene) {
     }
     val nearest = hits.reduceOption { (m, n) => if (first(n, m)) n else m }
     nearest match {
-      case Some((i, b, q)) => ExactPixel(2 + scene.quads.size + i, i, false, 0, shadeSphere(motion, i, d, b, q))
-      case None            => wall(motion, e, d)
+      case Some((i, b, q)) =>
+        ExactPixel(2 + scene.quads.size + i, i, false, 0, shadeSphere(motion, i, d, b, q))
+      case None => wall(motion, e, d)
     }
   }
 
@@ -47,7 +48,7 @@ class ExactRay(scene: RayScene) {
     // sqrt(qm) - sqrt(qn) < bm - bn; squared twice with the signs kept.
     val (x, p, q) = (m._2 - n._2, m._3, n._3)
     // sqrt(p) < x + sqrt(q)
-    val rest = p - x * x - q // against 2 x sqrt(q)
+    val rest        = p - x * x - q // against 2 x sqrt(q)
     def sumPositive = x >= 0 || q > x * x
     sumPositive && (if (x >= 0) rest < 0 || rest * rest < 4 * x * x * q
                     else rest < 0 && rest * rest > 4 * x * x * q)
@@ -63,7 +64,7 @@ class ExactRay(scene: RayScene) {
     }
     if (met.isEmpty) return background
     val (axis, _, k, n) = met.reduceLeft((m, x) => if (x._3 * m._4 < m._3 * x._4) x else m)
-    val hit = (0 to 2).map(a => e(a) * n + k * d(a)) // times n
+    val hit             = (0 to 2).map(a => e(a) * n + k * d(a)) // times n
     if (hit(2) < n * room.low.z) return background
     val quad =
       if (axis != 2) None
@@ -75,7 +76,10 @@ class ExactRay(scene: RayScene) {
       val toHit = (0 to 2).map(a => hit(a) - n * light(a)) // n (hit - light)
       motion.spheres.indices.exists { i =>
         val (a, b, q) = sphere(light, toHit, big(motion.spheres(i)), scene.spheres(i).radius)
-        val c = dot(minus(big(motion.spheres(i)), light), minus(big(motion.spheres(i)), light)) - BigInt(scene.spheres(i).radius).pow(2)
+        val c         = dot(
+          minus(big(motion.spheres(i)), light),
+          minus(big(motion.spheres(i)), light)
+        ) - BigInt(scene.spheres(i).radius).pow(2)
         // A root within the way from light to hit, whose parameter runs to a / n.
         q >= 0 && (c <= 0 || b > 0 && nearRootBelow(b * n, q * n * n, a))
       }
@@ -88,21 +92,26 @@ class ExactRay(scene: RayScene) {
       case Some(i) => split(scene.quads(i).color)
       case None    => cells.map(_ * 255.0)
     }
-    ExactPixel(quad.map(2 + _).getOrElse(1), -1, shadowed, if (quad.isEmpty) cells(0) | cells(1) << 1 | cells(2) << 2 else 0,
-      if (shadowed) full.map(_ / 2) else full)
+    ExactPixel(
+      quad.map(2 + _).getOrElse(1),
+      -1,
+      shadowed,
+      if (quad.isEmpty) cells(0) | cells(1) << 1 | cells(2) << 2 else 0,
+      if (shadowed) full.map(_ / 2) else full
+    )
   }
 
-  private def background = ExactPixel(0, -1, false, 0, split(scene.background))
+  private def background                 = ExactPixel(0, -1, false, 0, split(scene.background))
   private def split(c: Int): Seq[Double] = Seq(16, 8, 0).map(s => (c >> s & 255).toDouble)
 
   /** colour (1/4 + 3/4 max(0, n.l)); full colour in a scene without light. */
   private def shadeSphere(motion: RayMotion, i: Int, d: V, b: BigInt, q: BigInt): Seq[Double] = {
     val color = split(scene.spheres(i).color)
     scene.light.fold(color) { p =>
-      val t = (b.toDouble - scala.math.sqrt(q.toDouble)) / dot(d, d).toDouble
-      val hit = (0 to 2).map(a => camera.eye(a) + t * d(a).toDouble)
-      val n = (0 to 2).map(a => (hit(a) - motion.spheres(i)(a)) / scene.spheres(i).radius)
-      val l = (0 to 2).map(a => p(a) - hit(a))
+      val t      = (b.toDouble - scala.math.sqrt(q.toDouble)) / dot(d, d).toDouble
+      val hit    = (0 to 2).map(a => camera.eye(a) + t * d(a).toDouble)
+      val n      = (0 to 2).map(a => (hit(a) - motion.spheres(i)(a)) / scene.spheres(i).radius)
+      val l      = (0 to 2).map(a => p(a) - hit(a))
       val length = scala.math.sqrt(l.map(x => x * x).sum)
       val cosine = scala.math.max(0, n.zip(l).map { case (x, y) => x * y }.sum / length)
       color.map(_ * (0.25 + 0.75 * cosine))
