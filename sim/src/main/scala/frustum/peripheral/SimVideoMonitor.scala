@@ -11,7 +11,7 @@ case class MonitorPins(colorBits: Int) extends Bundle {
 }
 
 /** A monitor as simulated hardware, so that the JVM has no work during a frame. It knows the mode's nominal
-  * numbers, locks to the pulses at the first vertical one, places pixels by counting from the pulses, and from
+  * numbers, locks at the first vertical pulse that comes after three horizontal ones, places pixels by counting from the pulses, and from
   * then on measures each width, porch and total to the clock; see [[SimVideoReader]].
   *
   * A frame ends where the next vertical pulse starts; frames lie in two memories in turn. The vertical pulse may
@@ -23,8 +23,8 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
   require(pixels % Lanes == 0, s"${mode.width} x ${mode.height} pixels, not a multiple of $Lanes")
   val io = new Bundle {
     val pins   = in(MonitorPins(colorBits))
-    val frames = out(UInt(32 bits)) // complete ones
-    val errors = out(UInt(32 bits))
+    val frames = out(UInt(32 bits)).simPublic() // complete ones
+    val errors = out(UInt(32 bits)).simPublic()
   }
   private def edges(pulse: Bool) = {
     val before = RegNext(pulse) init False
@@ -36,8 +36,12 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
 
   /** From the pulses to the first pixel, column and line, counted from the start of the horizontal pulse. */
   private val (left, top) = (mode.hSync + mode.hBack, mode.vSync + mode.vBack)
-  val locked              = RegInit(False) setWhen vStart
-  val lock                = locked || vStart
+
+  /** A pulse that lasts since the reset tells nothing. */
+  val lines               = Reg(UInt(2 bits)) init 0
+  when(hStart && !lines.andR)(lines := lines + 1)
+  val locked              = RegInit(False) setWhen (vStart && lines.andR)
+  val lock                = locked || vStart && lines.andR
 
   /** Clocks since the horizontal pulse, lines since the one that the vertical pulse is in. */
   val sinceH, sinceV = Reg(UInt(16 bits)) init 0
@@ -55,19 +59,19 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
   /** Where in its line the vertical pulse starts: the first one decides. */
   val phase = RegNextWhen(column, vStart && !locked).init(0).simPublic()
   val first = activeStart && row === top
-  val final_ = activeEnd && row === top + mode.height - 1
+  val lastEnd = activeEnd && row === top + mode.height - 1
 
   private def number(n: Int) = U(n, 32 bits)
-  private val lines          = mode.vTotal * mode.hTotal
+  private val frame          = mode.vTotal * mode.hTotal
   val hTotal = new SimInterval(hStart, hStart, lock, number(mode.hTotal))
   val hSync  = new SimInterval(hStart, hEnd, lock, number(mode.hSync))
   val hBack  = new SimInterval(hEnd, activeStart || hStart, lock && row >= top && row < top + mode.height, number(mode.hBack))
   val width  = new SimInterval(activeStart, activeEnd, lock, number(mode.width))
   val hFront = new SimInterval(activeEnd, hStart, lock, number(mode.hFront))
-  val vTotal = new SimInterval(vStart, vStart, lock, number(lines))
+  val vTotal = new SimInterval(vStart, vStart, lock, number(frame))
   val vSync  = new SimInterval(vStart, vEnd, lock, number(mode.vSync * mode.hTotal))
   val vBack  = new SimInterval(vEnd, first, lock, number(mode.vBack * mode.hTotal + left) - phase)
-  val vFront = new SimInterval(final_, vStart, lock, number(mode.vFront * mode.hTotal + mode.hFront) + phase)
+  val vFront = new SimInterval(lastEnd, vStart, lock, number(mode.vFront * mode.hTotal + mode.hFront) + phase)
 
   private def count(wrong: Bool) = {
     val n = Reg(UInt(32 bits)).init(0).simPublic()
