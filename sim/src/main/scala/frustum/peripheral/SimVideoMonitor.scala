@@ -11,7 +11,7 @@ case class MonitorPins(colorBits: Int) extends Bundle {
 }
 
 /** A monitor as simulated hardware, so that the JVM has no work during a frame. It knows the mode's nominal
-  * numbers, locks at the first vertical pulse that comes after three horizontal ones, places pixels by counting from the pulses, and from
+  * numbers, locks at the first vertical pulse that comes with or after a horizontal one, places pixels by counting from the pulses, and from
   * then on measures each width, porch and total to the clock; see [[SimVideoReader]].
   *
   * A frame ends where the next vertical pulse starts; frames lie in two memories in turn. The vertical pulse may
@@ -27,7 +27,7 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
     val errors = out(UInt(32 bits)).simPublic()
   }
   private def edges(pulse: Bool) = {
-    val before = RegNext(pulse) init False
+    val before = RegNext(pulse) init True // a pulse that lasts since the reset tells nothing
     (pulse && !before, !pulse && before)
   }
   val (hStart, hEnd)           = edges(if (mode.hPositive) io.pins.hSync else !io.pins.hSync)
@@ -36,12 +36,9 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
 
   /** From the pulses to the first pixel, column and line, counted from the start of the horizontal pulse. */
   private val (left, top) = (mode.hSync + mode.hBack, mode.vSync + mode.vBack)
-
-  /** A pulse that lasts since the reset tells nothing. */
-  val lines               = Reg(UInt(2 bits)) init 0
-  when(hStart && !lines.andR)(lines := lines + 1)
-  val locked              = RegInit(False) setWhen (vStart && lines.andR)
-  val lock                = locked || vStart && lines.andR
+  val counting            = RegInit(False) setWhen hStart
+  val locked              = RegInit(False) setWhen (vStart && (counting || hStart))
+  val lock                = locked || vStart && (counting || hStart)
 
   /** Clocks since the horizontal pulse, lines since the one that the vertical pulse is in. */
   val sinceH, sinceV = Reg(UInt(16 bits)) init 0
@@ -80,7 +77,7 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
   }
   val misplaced   = count(locked && io.pins.active =/= visible)
   val blankColour = count(lock && !io.pins.active && io.pins.color.orR)
-  val phaseWrong  = count(vStart && (column > left || locked && column =/= phase))
+  val phaseWrong  = count(vStart && lock && (column > left || locked && column =/= phase))
   val intervals   = Seq(hTotal, hSync, hBack, width, hFront, vTotal, vSync, vBack, vFront)
   io.errors := (intervals.map(_.wrong) ++ Seq(misplaced, blankColour, phaseWrong)).reduce(_ + _)
 

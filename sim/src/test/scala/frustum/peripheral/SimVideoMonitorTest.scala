@@ -39,8 +39,7 @@ class SimVideoMonitorTest extends AnyFunSuite {
       put(Clock(h = false, v = false, active = false, 0))
       dut.clockDomain.forkStimulus(10)
       dut.clockDomain.waitSampling(5)
-      // The end of the frame before: without it there is nothing to lock to.
-      for (c <- signal(1).takeRight(4 * hTotal) ++ clocks) { put(c); dut.clockDomain.waitSampling() }
+      for (c <- clocks) { put(c); dut.clockDomain.waitSampling() }
       dut.clockDomain.waitSampling(2)
       val reader = new SimVideoReader(dut)
       body(reader)
