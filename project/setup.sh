@@ -74,6 +74,9 @@ prepare() {
     *test* | *Test*)
       simulator
       want 'ldconfig -p | grep -q libOSMesa' libosmesa6-dev
+      # Proofs: the solver; SymbiYosys comes with Yosys from PyPI, which needs venv.
+      want 'command -v z3 >/dev/null' z3
+      want "python3 -c 'import ensurepip, venv' 2>/dev/null" python3 python3-venv
       ;;
   esac
 }

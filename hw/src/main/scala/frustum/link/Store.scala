@@ -9,10 +9,10 @@ import spinal.lib._
 /** The scene store: one access a clock, shared by `clients` with fixed priority, client 0 first. Who has the port is
   * decided a clock ahead, so that no client's valid lies in the way of an address: a request is taken in the clock after
   * it is seen at the earliest, those that follow without a gap at one a clock. While nobody asks, the last client but
-  * one, by custom the tile sequencer, has the port. A request must stay until it is taken. A read is answered to its
-  * client one clock after it is taken. Only the last client, by custom the decoder, may write:
-  * the others' `write` and `data` are not looked at. 16 K x 32 for the default layout: two SPRAM of the iCE40UP5K side
-  * by side.
+  * one, by custom the tile sequencer, has the port. A write must stay until it is taken; a read that is withdrawn costs
+  * its clock. A read is answered to its client one clock after it is taken. Only the last client, by custom the decoder,
+  * may write: the others' `write` and `data` are not looked at. 16 K x 32 for the default layout: two SPRAM of the
+  * iCE40UP5K side by side.
   */
 case class Store(layout: StoreLayout, clients: Int, tech: Tech) extends Component {
   require(clients >= 2, s"Store: $clients clients, at least 2")

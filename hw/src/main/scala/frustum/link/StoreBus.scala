@@ -11,8 +11,8 @@ case class StoreCmd(layout: StoreLayout) extends Bundle {
   val data    = Bits(32 bits)
 }
 
-/** Access to the scene store: a read's data comes on `rsp` exactly one clock after its `cmd` fires, in order. A `cmd`
-  * stays until it is taken.
+/** Access to the scene store: a read's data comes on `rsp` exactly one clock after its `cmd` fires, in order. A write
+  * stays until it is taken; a read may be withdrawn before.
   */
 case class StoreBus(layout: StoreLayout) extends Bundle with IMasterSlave {
   val cmd = Stream(StoreCmd(layout))

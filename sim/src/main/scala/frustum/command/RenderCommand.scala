@@ -4,7 +4,7 @@ import frustum.engine.{EngineOptions, Engines}
 import frustum.host.DrawOptions
 import frustum.picture.Picture
 import frustum.scene.{Camera, Material, ObjScene, Scene, Scenes, TextureFile}
-import frustum.spec.RasterConfig
+import frustum.spec.{Panel, RasterConfig}
 import frustum.{InputError, OutputFile}
 import java.nio.file.{Path, Paths}
 
@@ -20,6 +20,8 @@ object RenderCommand extends CommandLine {
     val entry = Engines.byName(o.engine)
     if (o.wave.isDefined && !entry.simulated)
       throw InputError(s"--wave: the engine ${entry.name} has no signals; use --engine hardware or pipeline")
+    if (o.panel.isDefined && entry.name != "hardware")
+      throw InputError(s"--panel: the engine ${entry.name} has no display; use --engine hardware")
     val config = configOf(o)
     val scene  = sceneOf(o)
     val stem   = o.obj.fold(scene.name)(_.getFileName.toString.replaceFirst("\\.[^.]*$", ""))
@@ -41,7 +43,7 @@ object RenderCommand extends CommandLine {
       o.frames,
       o.turn.getOrElse(360.0 / o.frames),
       entry,
-      EngineOptions(o.seed, o.wave)
+      EngineOptions(o.seed, o.wave, o.panel.getOrElse(Panel.Ili9341))
     )
     val figures = run.figures((frame, verdict) =>
       Picture.writePng(numbered(out, frame), config.width, config.height, verdict.picture)

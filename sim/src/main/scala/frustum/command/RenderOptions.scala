@@ -2,7 +2,7 @@ package frustum.command
 
 import frustum.engine.Engines
 import frustum.scene.Scenes
-import frustum.spec.Wrap
+import frustum.spec.{Panel, Wrap}
 import org.joml.Vector3d
 import scopt.OParser
 import java.nio.file.Path
@@ -28,6 +28,7 @@ final case class RenderOptions(
     wrap: Wrap = Wrap.Repeat,
     background: Int = 0,
     engine: String = Engines.names.head,
+    panel: Option[Panel] = None,
     frames: Int = 1,
     turn: Option[Double] = None,
     wave: Option[Path] = None,
@@ -113,6 +114,10 @@ object RenderOptions {
       "what draws: the top at its pins, the stream core, the bit-exact model, float64\n" +
         s"(default ${Engines.names.head})"
     )((v, o) => o.copy(engine = v))(oneOf(Engines.names.map(n => n -> n): _*)),
+    option[Panel]("panel", Panel.all.map(_.name).mkString("|"), s"display at the pins; engine hardware (default ${Panel.Ili9341.name})")(
+      (v, o) =>
+        o.copy(panel = Some(v))
+    )(oneOf(Panel.all.map(p => p.name -> p): _*)),
     option[Int]("frames", "N", "frames of an animation; with more than one put %d in --out (default 1)")(
       (v, o) =>
         o.copy(frames = v)

@@ -36,7 +36,8 @@ final case class SceneRun(
     }
     println(
       s"${scene.name}: ${prepared.head.trianglesDrawn} triangles, " +
-        s"${config.width} x ${config.height}, engine ${entry.name}"
+        s"${config.width} x ${config.height}, engine ${entry.name}" +
+        (if (entry.name == "hardware") s", display ${engineOptions.panel.name}" else "")
     )
     val started  = System.nanoTime
     val rendered = entry.make(engineOptions).render(prepared)

@@ -1,6 +1,7 @@
 package frustum.engine
 
 import frustum.host.PreparedFrame
+import frustum.spec.Panel
 
 /** A frame as an engine drew it.
   *
@@ -30,5 +31,6 @@ trait Engine {
   *
   * @param seed of whatever is random, such as stalls
   * @param wave file that takes the waveform of a simulated engine
+  * @param panel display at the pins
   */
-final case class EngineOptions(seed: Long, wave: Option[java.nio.file.Path])
+final case class EngineOptions(seed: Long, wave: Option[java.nio.file.Path], panel: Panel = Panel.Ili9341)

@@ -9,7 +9,8 @@ import java.nio.file.Path
   * with a memory of its own takes what comes, and the picture is read from that memory. A frame is sent when the one
   * before is complete. What the display would not put up with is an error.
   */
-final class PinsEngine(options: EngineOptions, panel: Panel = Panel.Ili9341) extends Engine {
+final class PinsEngine(options: EngineOptions) extends Engine {
+  import options.panel
 
   def render(frames: Seq[PreparedFrame]): Seq[RenderedFrame] = if (frames.isEmpty) Nil else {
     val config = frames.head.config

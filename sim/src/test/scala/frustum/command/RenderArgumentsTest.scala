@@ -40,6 +40,8 @@ class RenderArgumentsTest extends AnyFunSuite {
     "--frames 2"                     -> Seq("--out", "%d"),
     "--turn fast"                    -> Seq("--turn"),
     "--wave x.fst"                   -> Seq("--wave", "hardware"),
+    "--panel st7789"                 -> Seq("--panel", "reference", "hardware"),
+    "--panel vga"                    -> Seq("--panel", "st7789"),
     "--seed x"                       -> Seq("--seed")
   )
 
@@ -86,7 +88,7 @@ class RenderArgumentsTest extends AnyFunSuite {
       val run = CommandRunner.run(command, "--help")
       assert(run.code == 0 && run.err.isEmpty)
       val options = run.out.split("\n  --").drop(1).filterNot(_.startsWith("help"))
-      assert(options.length == (if (command == "render") 23 else 3))
+      assert(options.length == (if (command == "render") 24 else 3))
       options.filterNot(_.startsWith("obj ")).foreach(o => assert(o.contains("(default"), o))
     }
   }

@@ -1,9 +1,11 @@
 package frustum.engine
 
+import frustum.command.CommandRunner
 import frustum.host.Driver
 import frustum.spec.{Panel, RasterConfig}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
+import java.nio.file.Files
 import scala.util.Random
 
 class PinsEngineTest extends AnyFunSuite {
@@ -89,10 +91,21 @@ class PinsEngineTest extends AnyFunSuite {
     PinsEngine.compile(config, Panel.St7789) // not to be counted
     val frames  = Frames.scene("cube", config)
     val started = System.nanoTime
-    val drawn   = new PinsEngine(EngineOptions(1, None), Panel.St7789).render(frames).head
+    val drawn   = new PinsEngine(EngineOptions(1, None, Panel.St7789)).render(frames).head
     val seconds = (System.nanoTime - started) / 1e9
     info(f"$seconds%.1f s, ${drawn.clocksAtPins.get} clocks")
     Frames.assertEqual(config, drawn.image, Frames.model(frames.head), "cube")
     assert(seconds < 10)
+  }
+
+  test("render takes the panel asked for") {
+    val folder = Files.createTempDirectory("render")
+    val run    = CommandRunner.run(
+      "--line",
+      s"render --scene cube --size 320x240 --panel st7789 --out $folder/cube.png --report $folder/cube.json"
+    )
+    assert(run.code == 0 && run.err.isEmpty && run.out.contains("display st7789"), run)
+    val report = ujson.read(Files.readString(folder.resolve("cube.json")))
+    assert(report("hardwareVsModel")("pixelsDifferent").num == 0)
   }
 }

@@ -35,16 +35,9 @@ class InterlockBench(config: RasterConfig) extends Component {
     unit.io.clear.active := timer =/= 0
     unit.io.clear.done   := done
 
-    val before = Vec.fill(2)(Reg(Flow(UInt(widthOf(out.address) bits))))
-    before.foreach(_.valid init False)
-    before(0).valid   := out.valid && !out.tileEnd
-    before(0).payload := out.address
-    before(1)         := before(0)
-    def meets(n: Int) = before(n).valid && before(n).payload === out.address
-    when(out.valid && !out.tileEnd && (meets(0) || meets(1) && io.state.blend)) {
-      io.tooClose := io.tooClose + 1
-    }
-    when(out.valid && out.tileEnd && timer =/= 0) { io.tooEarly := io.tooEarly + 1 }
+    val watch = new InterlockWatch(out, io.state.blend, done)
+    when(watch.tooClose) { io.tooClose := io.tooClose + 1 }
+    when(watch.tooEarly) { io.tooEarly := io.tooEarly + 1 }
     out
   }
 }

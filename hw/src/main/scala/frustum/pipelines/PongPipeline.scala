@@ -1,0 +1,92 @@
+package frustum.pipelines
+
+import frustum.display.{OrderedDither, PixelScanner, TextOverlay, VideoBus}
+import frustum.game.{PongButtons, PongGame}
+import frustum.input.Buttons
+import frustum.ray.{RayConfig, RayPipeline}
+import frustum.spec._
+import spinal.core._
+import spinal.lib._
+
+/** @param scene one sphere, the puck, and one quad, the paddle, as [[PongScene.room]] has them */
+case class PongPipelineConfig(
+    mode: VideoMode = VideoMode.Vga640x480,
+    format: ColorFormat = ColorFormat.Rgb444,
+    scene: RayScene = PongScene.room()
+) {
+  require(
+    scene.spheres.size == 1 && scene.quads.size == 1,
+    s"pong is a puck and a paddle: the scene has ${scene.spheres.size} spheres, ${scene.quads.size} quads"
+  )
+  val score: TextField   = TextField.centred(mode.width, 0, 2, 2)
+  val message: TextField = TextField.centred(mode.width, mode.height / 2 / (Font.Cell << 3), 4, 3)
+}
+
+/** 3-D pong to a monitor, one pixel a clock: buttons, game, ray caster, score, dither. What is drawn changes in the
+  * vertical blank alone; `video` is registered and comes `latencyClocks` after the scanner's position.
+  */
+case class PongPipeline(config: PongPipelineConfig) extends Component {
+  import config.{format, mode, scene}
+  val io = new Bundle {
+    val buttons = in(PongButtons()) // high = pressed, asynchronous, bouncing
+    val video   = master(VideoBus(format))
+  }
+  val scanner = PixelScanner(mode)
+
+  val buttons = Buttons(4)
+  buttons.io.pins   := io.buttons.asBits
+  buttons.io.sample := scanner.io.frameEnd
+
+  val frames = Counter(PongRules.FramesPerTick, scanner.io.frameEnd)
+  val game   = PongGame()
+  game.io.tick := RegNext(frames.willOverflow) init False
+  game.io.buttons.assignFromBits(buttons.io.held)
+
+  val ray = RayPipeline(RayConfig(scene, mode))
+  private val rayEnd = PongGame.TickClocks + 2
+  ray.io.latch    := Delay(scanner.io.frameEnd, rayEnd, init = False)
+  ray.io.line     := scanner.io.line
+  ray.io.up.valid := scanner.io.active
+  for ((p, a) <- Seq(ray.io.motion.spheres(0).x, ray.io.motion.spheres(0).y, ray.io.motion.spheres(0).z).zipWithIndex)
+    p := game.io.puck(a)
+  ray.io.motion.quads(0).x := game.io.paddleX
+  ray.io.motion.quads(0).y := game.io.paddleY
+  ray.io.motion.quads(0).z := scene.quads(0).low.z
+
+  val overlay = TextOverlay(Seq(config.score, config.message), log2Up(scala.math.max(mode.hTotal, mode.vTotal)))
+  private def letters(word: String) = Vec(word.map(c => U(Font.code(c), Font.CodeBits bits)))
+  private def digit(d: UInt)        = U(Font.code('0'), Font.CodeBits bits) | d.resized
+  overlay.io.x       := scanner.io.x.resized
+  overlay.io.y       := scanner.io.y.resized
+  overlay.io.text(0) := Vec(digit(game.io.tens), digit(game.io.ones))
+  overlay.io.text(1) := Mux(game.io.won, letters("WIN!"), letters("LOSE"))
+  overlay.io.shown   := (game.io.won || game.io.lost) ## True
+
+  /** The ray caster is the longest way; all else waits for it, and a last register is the pins'. */
+  val latencyClocks: Int = ray.latency + 1
+  require(latencyClocks < PixelScanner.Tail, s"latency $latencyClocks, at most ${PixelScanner.Tail - 1}")
+  require(ray.latency >= TextOverlay.Latency, s"the ray caster's ${ray.latency} clocks are fewer than the text's")
+  private def late[T <: Data](that: T)      = Delay(that, ray.latency)
+  private def lateText(that: Bool)          = Delay(that, ray.latency - TextOverlay.Latency)
+  private val cell                          = lateText(overlay.io.cell)
+  private val dot                           = lateText(overlay.io.dot)
+
+  val dither = OrderedDither(format)
+  dither.io.x := late(scanner.io.x(1 downto 0))
+  dither.io.y := late(scanner.io.y(1 downto 0))
+  private def written(c: UInt) = Mux(dot, U(255, 8 bits), Mux(cell, c |>> 1, c))
+  dither.io.rgb.r := written(ray.io.down.rgb.r)
+  dither.io.rgb.g := written(ray.io.down.rgb.g)
+  dither.io.rgb.b := written(ray.io.down.rgb.b)
+
+  private def idle(positive: Boolean) = Bool(!positive)
+  private def lateSync(pulse: Bool, positive: Boolean) =
+    RegNext(Delay(pulse, ray.latency, init = idle(positive))) init idle(positive)
+  io.video.active := RegNext(ray.io.down.valid) init False
+  io.video.hSync  := lateSync(scanner.io.hSync, mode.hPositive)
+  io.video.vSync  := lateSync(scanner.io.vSync, mode.vPositive)
+  private def pin(c: UInt) = RegNext(Mux(ray.io.down.valid, c, U(0).resized))
+  io.video.red   := pin(dither.io.red)
+  io.video.green := pin(dither.io.green)
+  io.video.blue  := pin(dither.io.blue)
+}
