@@ -73,9 +73,13 @@ final class LiveScreen private (name: String, width: Int, height: Int, scale: In
 object LiveScreen {
   private val Remedy = "set DISPLAY to a graphical screen and use a JDK with its window system (openjdk-17-jre)"
 
+  /** An error in one line where there is no display: to be called before long work. */
+  def require(): Unit =
+    if (GraphicsEnvironment.isHeadless) throw InputError(s"there is no display for the window: $Remedy")
+
   /** Opens the window, or says in one line why there is none. */
   def apply(name: String, width: Int, height: Int, scale: Int = 1): LiveScreen = {
-    if (GraphicsEnvironment.isHeadless) throw InputError(s"there is no display for the window: $Remedy")
+    require()
     try new LiveScreen(name, width, height, scale)
     catch {
       // A JDK without its window system fails to link when it is first used.
