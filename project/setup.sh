@@ -70,10 +70,15 @@ prepare() {
         fpga-icestorm fpga-icestorm-chipdb
       ;;
     *" --engine model "* | *" --engine reference "*) ;;
-    " demo "* | " render "* | " bench "*) simulator ;;
+    " demo "* | " render "* | " bench "* | " pong "*) simulator ;;
+    " play "*)
+      simulator
+      want '[ -z "${DISPLAY-}" ] || ls "$(dirname "$(readlink -f "$(command -v java)")")"/../lib/libawt_xawt.so >/dev/null 2>&1' openjdk-17-jre
+      ;;
     *test* | *Test*)
       simulator
       want 'ldconfig -p | grep -q libOSMesa' libosmesa6-dev
+      want 'command -v Xvfb >/dev/null' xvfb
       # Proofs: the solver; SymbiYosys comes with Yosys from PyPI, which needs venv.
       want 'command -v z3 >/dev/null' z3
       want "python3 -c 'import ensurepip, venv' 2>/dev/null" python3 python3-venv

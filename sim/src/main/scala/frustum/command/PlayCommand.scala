@@ -5,7 +5,6 @@ import frustum.engine.{EngineSim, PongSession}
 import frustum.game.PongKeys
 import frustum.live.LiveScreen
 import frustum.picture.Picture
-import frustum.pipelines.PongPipelineConfig
 import frustum.spec.VideoMode
 import scopt.OParser
 import java.util.Locale
@@ -46,7 +45,7 @@ object PlayCommand extends CommandLine {
   }
 
   private def play(o: PlayOptions): Int = {
-    val config = PongPipelineConfig(mode = o.mode, scene = PongScenes.room(o.mode))
+    val config = PongScenes.config(o.mode, None)
     LiveScreen.require()
     println(PongKeys.help)
     EngineSim.run(PongSession.compile(config), None, o.seed) { dut =>

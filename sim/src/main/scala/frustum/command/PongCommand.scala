@@ -5,7 +5,6 @@ import frustum.game.{AutoPlayer, ButtonFile}
 import frustum.judge.PongJudge
 import frustum.model.game.{PongButtons, PongGame}
 import frustum.picture.{AnimatedGif, Picture}
-import frustum.pipelines.PongPipelineConfig
 import frustum.{InputError, OutputFile}
 import java.nio.file.{Files, Path}
 
@@ -21,7 +20,7 @@ object PongCommand extends CommandLine {
   def delays: Iterator[Int] = Iterator.continually(Seq(3, 3, 4)).flatten
 
   private def pong(o: PongOptions): Int = {
-    val config = PongPipelineConfig(mode = o.mode, scene = PongScenes(o.mode, o.scene))
+    val config = PongScenes.config(o.mode, o.scene)
     val player = players(o)
     prepare(o.out)
     println(s"pong: ${o.mode.name}, ${o.frames} frames")

@@ -1,0 +1,48 @@
+package frustum.command
+
+import org.scalatest.funsuite.AnyFunSuite
+import java.nio.file.{Files, Path}
+
+/** Bad arguments of `pong` and `play`: exit code 2, one line that says what would be right, and no file. */
+class PongArgumentsTest extends AnyFunSuite {
+  private val folder: Path = Files.createTempDirectory("pong")
+  private val inputs       = Files.createTempDirectory("pong-inputs")
+  private def file(name: String, text: String) = Files.writeString(inputs.resolve(name), text).toString
+
+  private val letters = file("letters.txt", "u\n-\nlx\n")
+  private val empty   = file("none.json", """{"spheres": []}""")
+  private val still   = file("still.json", """{"spheres": [{"centre": [0, 0, 320], "radius": 20, "color": "ff0000"}]}""")
+  private val broken  = file("broken.json", "{\n  \"light\": [1, 2,\n")
+
+  private val table = Seq(
+    "pong --bad"                          -> Seq("--bad", "--help"),
+    "pong stray"                          -> Seq("stray"),
+    "pong --frames 0"                     -> Seq("--frames", "10000"),
+    "pong --mode 1024x768"                -> Seq("--mode", "640x480", "800x600"),
+    "pong --seed x"                       -> Seq("--seed"),
+    s"pong --autoplay --input '$letters'" -> Seq("--autoplay", "--input"),
+    "pong --input /no/such/file.txt"      -> Seq("/no/such/file.txt"),
+    s"pong --input '$letters'"            -> Seq("letters.txt:3:", "'x'", "u d l r"),
+    "pong --scene /no/such/scene.json"    -> Seq("/no/such/scene.json"),
+    s"pong --scene '$broken'"             -> Seq("broken.json:", "JSON"),
+    s"pong --scene '$empty'"              -> Seq("none.json", "0 spheres"),
+    s"pong --scene '$still'"              -> Seq("still.json", "puck", "(-300, -220, 20)"),
+    "play"                                -> Seq("play pong"),
+    "play chess"                          -> Seq("chess", "play pong"),
+    "play pong --frames x"                -> Seq("--frames")
+  )
+
+  for ((line, fragments) <- table) test(line.replace(inputs.toString, "")) {
+    val out = if (line.startsWith("pong")) Seq("--out", folder.resolve("frames").toString) else Nil
+    val run = CommandRunner.run(Words.split(line) ++ out: _*)
+    assert(run.code == 2, run)
+    assert(run.err.length == 1 && run.err.head.startsWith("error: "), run)
+    fragments.foreach(f => assert(run.err.head.contains(f), run.err.head))
+    assert(folder.toFile.list().isEmpty)
+  }
+
+  test("--out that is a file is refused") {
+    val run = CommandRunner.run("pong", "--out", letters)
+    assert(run.code == 2 && run.err.length == 1 && run.err.head.contains("letters.txt"), run)
+  }
+}

@@ -1,0 +1,68 @@
+package frustum.scene
+
+import frustum.InputError
+import frustum.spec._
+import org.scalatest.funsuite.AnyFunSuite
+
+import java.nio.file.Files
+
+class RaySceneFileTest extends AnyFunSuite {
+  private val base                  = PongScene.room()
+  private val file                  = Files.createTempFile("scene", ".json")
+  private def read(content: String) = { Files.writeString(file, content); RaySceneFile.read(file, base, 640, 480) }
+
+  test("what is left out is the base's") {
+    assert(read("{}") == base)
+    assert(read("""{"light": null, "background": "102030"}""") == base.copy(light = None, background = 0x102030))
+  }
+
+  test("every part") {
+    val scene = read("""{
+      "camera": {"eye": [10, 0, -300], "focal": 400},
+      "room": {"low": [-320, -240, 0], "high": [320, 240, 500], "cellBits": 5},
+      "spheres": [{"low": [-50, -50, 100], "high": [50, 50, 300], "radius": 30, "color": "00ff80"},
+                  {"centre": [200, 0, 200], "radius": 10, "color": "ffffff"}],
+      "quads": [{"centre": [0, 0, 500], "half": 40, "color": "0000ff"}],
+      "light": [1, 2, 3]}""")
+    assert(scene == RayScene(
+      RayCamera.forward(IntVector(10, 0, -300), 640, 480, 400),
+      RayRoom(IntVector(-320, -240, 0), IntVector(320, 240, 500), 5),
+      Seq(
+        RaySphere(IntVector(-50, -50, 100), IntVector(50, 50, 300), 30, 0x00ff80),
+        RaySphere(IntVector(200, 0, 200), IntVector(200, 0, 200), 10, 0xffffff)
+      ),
+      Seq(RayQuad(IntVector(0, 0, 500), IntVector(0, 0, 500), 40, 0x0000ff)),
+      Some(IntVector(1, 2, 3)),
+      base.background
+    ))
+    val turned = read("""{"camera": {"eye": [0, 0, 10], "corner": [-1, -2, 3], "right": [1, 0, 0], "down": [0, 1, 0]}}""")
+    assert(turned.camera.direction(2, 3) == IntVector(1, 1, 3))
+  }
+
+  private val bad = Seq(
+    "{\n\"light\": [1,2\n}"                          -> Seq(":3: ", "JSON"),
+    "{"                                              -> Seq("JSON"),
+    "[]"                                             -> Seq("scene", "no object"),
+    """{"lamp": [0,0,0]}"""                          -> Seq("'lamp'", "light"),
+    """{"light": [0,0]}"""                           -> Seq("light", "[x, y, z]"),
+    """{"light": [0,0,0.5]}"""                       -> Seq("light", "0.5", "whole"),
+    """{"background": "red"}"""                      -> Seq("background", "hexadecimal"),
+    """{"camera": {"eye": [0,0,0]}}"""               -> Seq("camera", "'corner'"),
+    """{"spheres": {"centre": [0,0,100]}}"""         -> Seq("spheres", "list"),
+    """{"spheres": [{"centre": [0,0,100], "color": "ff0000"}]}""" -> Seq("spheres[0]", "'radius'"),
+    """{"spheres": [{"centre": [0,0,100], "low": [0,0,0], "radius": 1, "color": "ff0000"}]}""" -> Seq("spheres[0]", "centre"),
+    """{"spheres": [{"centre": [0,0,100], "radius": 0, "color": "ff0000"}]}""" -> Seq("sphere 0", "radius 0"),
+    """{"spheres": [{"centre": [0,0,-310], "radius": 20, "color": "ff0000"}]}""" -> Seq("inside sphere 0", "20"),
+    """{"light": [0,0,9000]}"""                      -> Seq("outside the room", "9000")
+  )
+  for ((content, fragments) <- bad) test(s"refused: ${content.replaceAll("\\s+", " ")}") {
+    val e = intercept[InputError](read(content))
+    assert(e.message.startsWith(s"$file:") && !e.message.contains('\n'), e.message)
+    fragments.foreach(f => assert(e.message.contains(f), e.message))
+  }
+
+  test("no such file") {
+    val e = intercept[InputError](RaySceneFile.read(file.resolveSibling("none"), base, 640, 480))
+    assert(e.message.contains("no such file"))
+  }
+}
