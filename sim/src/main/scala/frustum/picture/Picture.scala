@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage
 import java.nio.file.Path
 import javax.imageio.ImageIO
 import frustum.OutputFile
+import frustum.spec.ColorFormat
 
 /** Pictures are 0xRRGGBB, row by row from the top left. */
 object Picture {
@@ -12,6 +13,18 @@ object Picture {
   def ofRgb565(image: Array[Int]): Array[Int] = image.map { c =>
     def widen(v: Int, most: Int) = (v * 255 * 2 + most) / (2 * most)
     widen(c >> 11 & 31, 31) << 16 | widen(c >> 5 & 63, 63) << 8 | widen(c & 31, 31)
+  }
+
+  /** Colours of any format, red in the highest bits, to 0xRRGGBB. */
+  def ofFormat(image: Array[Int], format: ColorFormat): Array[Int] = {
+    val Seq(red, green, blue) = format.channels.map { bits =>
+      val most = (1 << bits) - 1
+      Array.tabulate(most + 1)(v => (v * 255 * 2 + most) / (2 * most))
+    }
+    image.map { c =>
+      red(c >> (format.green + format.blue)) << 16 |
+        green(c >> format.blue & (green.length - 1)) << 8 | blue(c & (blue.length - 1))
+    }
   }
 
   /** Amplified absolute difference on white: equal pixels are white, the more two differ the darker, and any

@@ -1,0 +1,41 @@
+package frustum.engine
+
+import frustum.model.game.PongButtons
+import frustum.peripheral.SimVideoReader
+import frustum.pipelines.PongPipelineConfig
+import spinal.core.sim._
+
+/** Plays on a running [[PongTestbed]], frame by frame. To be made first thing in the simulation.
+  *
+  * Buttons are looked at in the blank before each frame, and what two looks agree on holds: pressed after an
+  * even frame (counted from 0) and kept for two, they are those of one tick, the one before frame f + 3.
+  *
+  * @param first buttons at the start, of the tick before frame 1
+  */
+final class PongSession(dut: PongTestbed, first: PongButtons = PongButtons()) {
+  press(first)
+  dut.clockDomain.forkStimulus(EngineSim.Period)
+  dut.clockDomain.waitSampling()
+  private val session        = new VideoSession(dut.clockDomain, dut.monitor)
+  def reader: SimVideoReader = session.reader
+
+  def press(b: PongButtons): Unit = {
+    dut.io.up #= b.up
+    dut.io.down #= b.down
+    dut.io.left #= b.left
+    dut.io.right #= b.right
+  }
+
+  /** The next frame's colours, as they were at the pins. */
+  def frame(): Array[Int] = {
+    session.frame()
+    reader.picture()
+  }
+}
+
+object PongSession {
+  def compile(config: PongPipelineConfig): SimCompiled[PongTestbed] =
+    EngineSim.compile(s"Pong_${config.mode.name}_${config.format.name}_${config.scene.hashCode.toHexString}")(
+      PongTestbed(config)
+    )
+}

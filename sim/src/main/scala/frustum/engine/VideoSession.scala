@@ -1,0 +1,39 @@
+package frustum.engine
+
+import frustum.peripheral.{SimVideoMonitor, SimVideoReader}
+import spinal.core.ClockDomain
+import spinal.core.sim._
+
+/** Runs a simulated system with a monitor at its pins from frame to frame. The JVM sleeps meanwhile: a frame
+  * costs it a few looks.
+  */
+final class VideoSession(clockDomain: ClockDomain, monitor: SimVideoMonitor) {
+  private val mode        = monitor.mode
+  private val frameClocks = mode.hTotal.toLong * mode.vTotal
+  private var seen        = 0L
+  val reader              = new SimVideoReader(monitor)
+
+  /** Runs until one more frame is complete. Returns at most a [[VideoSession.Looks]]th of a frame after its end:
+    * the one that follows is still in its blank or first lines.
+    */
+  def frame(): Unit = {
+    var looks = 0
+    while (reader.frames == seen) {
+      if (looks > VideoSession.HangFrames * VideoSession.Looks) throw new IllegalStateException(
+        s"the monitor hangs: no frame complete in ${VideoSession.HangFrames * frameClocks} clocks, " +
+          s"$seen frames so far, ${reader.errors} sync errors"
+      )
+      sleep(EngineSim.Period * (frameClocks / VideoSession.Looks))
+      clockDomain.waitSampling()
+      looks += 1
+    }
+    seen = reader.frames
+  }
+}
+
+object VideoSession {
+  val Looks = 16
+
+  /** Until lock a system may take up to two frames and its reset. */
+  val HangFrames = 4
+}

@@ -1,0 +1,45 @@
+package frustum.peripheral
+
+import spinal.core.sim._
+
+/** What a [[SimVideoMonitor]] measured of one kind: its last value, how often it was measured and how often wrong. */
+final case class VideoMeasure(name: String, last: Long, measured: Long, wrong: Long, lastWrong: Long)
+
+/** Takes frames and measurements from a monitor while the simulation stands still. */
+final class SimVideoReader(dut: SimVideoMonitor) {
+  private val words = dut.mode.width * dut.mode.height / SimVideoMonitor.Lanes
+
+  /** Complete frames so far; the last stays readable until the next is complete. */
+  def frames: Long = dut.io.frames.toLong
+
+  /** Since the monitor has locked; 0 means that every pulse, porch and total had its clocks. */
+  def errors: Long = dut.io.errors.toLong
+
+  /** Clocks from the last vertical pulse but one to the last. */
+  def clocksPerFrame: Long = dut.vTotal.last.toLong
+
+  /** Colours of the last complete frame as they stood at the pins. */
+  def picture(): Array[Int] = {
+    require(frames > 0, "no frame is complete")
+    val base    = if (frames % 2 == 1) 0 else words
+    val mask    = (1 << dut.colorBits) - 1
+    val picture = new Array[Int](words * SimVideoMonitor.Lanes)
+    for (w <- 0 until words) {
+      var bytes = dut.memory.getBigInt(base + w).bigInteger
+      for (lane <- 0 until SimVideoMonitor.Lanes) {
+        picture(w * SimVideoMonitor.Lanes + lane) = bytes.intValue & mask
+        bytes = bytes.shiftRight(dut.colorBits)
+      }
+    }
+    picture
+  }
+
+  def measures: Seq[VideoMeasure] = {
+    val names = Seq("hTotal", "hSync", "hBack", "width", "hFront", "vTotal", "vSync", "vBack", "vFront")
+    names.zip(dut.intervals).map { case (name, i) =>
+      VideoMeasure(name, i.last.toLong, i.measured.toLong, i.wrong.toLong, i.lastWrong.toLong)
+    } ++ Seq("misplaced" -> dut.misplaced, "blankColour" -> dut.blankColour, "phase" -> dut.phaseWrong).map {
+      case (name, n) => VideoMeasure(name, 0, 0, n.toLong, 0)
+    }
+  }
+}

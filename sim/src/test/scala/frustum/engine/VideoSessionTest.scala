@@ -1,0 +1,59 @@
+package frustum.engine
+
+import frustum.harness.FrustumSim
+import frustum.peripheral.SimVideoMonitor
+import frustum.spec.VideoMode
+import org.scalatest.funsuite.AnyFunSuite
+import spinal.core._
+import spinal.core.sim._
+
+/** Counters for a picture: colour is column plus frame, plus one so that it is never black. */
+case class BeamPattern(mode: VideoMode) extends Component {
+  val io      = new Bundle { val run = in Bool () }
+  val monitor = SimVideoMonitor(mode, 12)
+  val h       = Reg(UInt(12 bits)) init 0
+  val v       = Reg(UInt(12 bits)) init mode.vTotal - 4 // so that there are lines to lock to
+  val f       = Reg(UInt(12 bits)) init 4095
+  when(io.run) {
+    h := h + 1
+    when(h === mode.hTotal - 1) {
+      h := 0
+      v := v + 1
+      when(v === mode.vTotal - 1) { v := 0; f := f + 1 }
+    }
+  }
+  private val left   = mode.hSync + mode.hBack
+  private val top    = mode.vSync + mode.vBack
+  private val active = h >= left && h < left + mode.width && v >= top && v < top + mode.height
+  monitor.io.pins.hSync  := (h < mode.hSync) === Bool(mode.hPositive)
+  monitor.io.pins.vSync  := (v < mode.vSync) === Bool(mode.vPositive)
+  monitor.io.pins.active := active
+  monitor.io.pins.color  := Mux(active, (h - left + f + 1).asBits, B(0))
+}
+
+class VideoSessionTest extends AnyFunSuite {
+  private val mode          = VideoMode("small", 1, 64, 32, 2, 3, 4, 1, 2, 3, hPositive = true, vPositive = false)
+  private lazy val compiled = FrustumSim.compile("VideoSession")(BeamPattern(mode))
+
+  private def run(body: (BeamPattern, VideoSession) => Unit): Unit = compiled.doSim("seed1", 1) { dut =>
+    dut.io.run #= false
+    dut.clockDomain.forkStimulus(EngineSim.Period)
+    dut.clockDomain.waitSampling(20)
+    body(dut, new VideoSession(dut.clockDomain, dut.monitor))
+  }
+
+  test("every frame is seen once, in its order") {
+    run { (dut, session) =>
+      dut.io.run #= true
+      for (f <- 0 until 6) {
+        session.frame()
+        assert(session.reader.picture().toSeq == Seq.tabulate(64 * 32)(i => i % 64 + f + 1), s"frame $f")
+      }
+      assert(session.reader.errors == 0 && session.reader.clocksPerFrame == mode.hTotal * mode.vTotal)
+    }
+  }
+
+  test("a system without a picture does not run for ever") {
+    run { (_, session) => assert(intercept[IllegalStateException](session.frame()).getMessage.contains("hangs")) }
+  }
+}
