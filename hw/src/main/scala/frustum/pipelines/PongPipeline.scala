@@ -18,8 +18,12 @@ case class PongPipelineConfig(
     scene.spheres.size == 1 && scene.quads.size == 1,
     s"pong is a puck and a paddle: the scene has ${scene.spheres.size} spheres, ${scene.quads.size} quads"
   )
-  val score: TextField   = TextField.centred(mode.width, 0, 2, 2)
-  val message: TextField = TextField.centred(mode.width, mode.height / 2 / (Font.Cell << 3), 4, 3)
+  require(mode.width >= 16 * Font.Cell, s"pictures of ${mode.width} pixels, at least ${16 * Font.Cell} for the text")
+
+  /** Four letters take at most half of the width. */
+  private val scale      = log2Up(mode.width / (8 * Font.Cell) + 1) - 1
+  val score: TextField   = TextField.centred(mode.width, 0, 2, scale - 1)
+  val message: TextField = TextField.centred(mode.width, mode.height / 2 / (Font.Cell << scale), 4, scale)
 }
 
 /** 3-D pong to a monitor, one pixel a clock: buttons, game, ray caster, score, dither. What is drawn changes in the

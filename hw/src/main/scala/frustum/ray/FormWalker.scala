@@ -5,7 +5,10 @@ import spinal.core._
 import spinal.lib._
 
 /** Value of one form at the current pixel by forward differences: at `step` it moves one pixel to the right.
-  * Registers are filled by `load` between rows.
+  *
+  * `load` fills the registers between rows. Only the last one takes words; to the others they go by the adders that are
+  * there already: value and step are cleared, and what comes is added up to its place. So no register needs a
+  * multiplexer beside its adder.
   */
 case class FormWalker(form: RayForm, program: RayProgram) extends Component {
   val io = new Bundle {
@@ -13,15 +16,25 @@ case class FormWalker(form: RayForm, program: RayProgram) extends Component {
     val step  = in Bool ()
     val value = out SInt (form.width bits)
   }
-  private def register(i: Int) = {
-    val need = program.words(program.load + form.register + i).range.width
-    Reg(SInt(scala.math.min(form.width, if (i == 0) form.width else need) bits))
+  private def at(slot: Int) = io.load.valid && io.load.index === form.register + slot
+  private def register      = Reg(SInt(form.width bits))
+  private val word          = io.load.data.asSInt.resize(form.width)
+  val value                 = register
+  io.value := value
+
+  val linear = form.registers == 2 generate new Area {
+    val step = register
+    when(io.step || at(1))(value := value + step)
+    when(at(0))(value := 0)
+    when(at(0) || at(1))(step := word)
   }
-  val registers = List.tabulate(form.registers)(register)
-  when(io.step) {
-    for ((r, by) <- registers.zip(registers.drop(1))) r := r + by.resized
+  val quadratic = form.registers == 3 generate new Area {
+    val step, curve = register
+    when(io.step || at(2))(value := value + step)
+    when(io.step || at(1) || at(3))(step := step + curve)
+    when(at(0))(value := 0)
+    when(at(0) || at(2))(step := 0)
+    when(at(0) || at(1) || at(3))(curve := word)
   }
-  for ((r, i) <- registers.zipWithIndex)
-    when(io.load.valid && io.load.index === form.register + i) { r := io.load.data.asSInt.resized }
-  io.value := registers.head
+  if (form.registers == 1) when(at(0))(value := word)
 }

@@ -57,7 +57,7 @@ case class RayPipeline(config: RayConfig) extends Component {
   }.toMap
 
   private val quotientBits = (0 to 2).map(a => BigInt(extent(a) >> room.cellBits).bitLength).max.max(1)
-  private val divisions    = (quotientBits + 1) / 2
+  private val divisions    = quotientBits
   val line                 = new LockstepPipeline(divisions + 2)
   val latency: Int         = line.nodes.size - 1
   line(0).valid         := io.up.valid
@@ -82,22 +82,34 @@ case class RayPipeline(config: RayConfig) extends Component {
   /** What is hit: signs of the forms at this pixel. */
   val test = new Area {
     val s0 = line(0)
-    val n  = Wall.all.map { w =>
-      val d = walkers(s"direction${w.axis}").resize(widthN); if (w.sign > 0) d else -d
-    }
-    private def inside(u: SInt, most: Int, n: SInt) = {
-      val product = n * S(most)
-      u >= 0 && u.resize(product.getWidth + 1) <= product.resize(product.getWidth + 1)
-    }
-    val hits = Wall.all.zip(n).map { case (w, n) =>
-      n > 0 && w.across.map(u => inside(walkers(s"across${w.index}_$u"), extent(u), n)).reduce(_ && _)
+
+    /** Of walls that meet in an edge, whether the ray meets p no later than q: k_q n_p >= k_p n_q, which is also the
+      * border of p across q's axis, and the other way round that of q across p's.
+      */
+    val before = Wall.pairs.map { case (p, q) =>
+      val late = walkers(s"across${q.index}_${p.axis}")
+      val sign =
+        if (q.sign < 0) !walkers(s"across${p.index}_${q.axis}").msb
+        else if (p.sign < 0) late.msb || late === 0
+        else !walkers(s"before${p.index}_${q.index}").msb
+      (p.index, q.index) -> sign
+    }.toMap
+    val hits = Wall.all.map { w =>
+      val backward = walkers(s"direction${w.axis}").msb
+      val others   = Wall.all.filter(_.axis != w.axis).map { q =>
+        if (w.index < q.index) before(w.index, q.index) else !before(q.index, w.index)
+      }
+      // The room has no wall at its front: its border there is the wall's own.
+      val front = w.across.filter(u => !Wall.all.exists(q => q.axis == u && q.sign < 0))
+      val open  = front.map(u => !walkers(s"across${w.index}_$u").msb)
+      (others ++ open).reduce(_ && _) && (if (w.sign > 0) !backward else backward)
     }
     s0(HITS)                         := hits.asBits()
     for (a <- 0 to 2) s0(normals(a)) := walkers(s"direction$a").resized
     for (w <- Wall.all; j <- 0 to 1)
       s0(offsets(w.index)(j)) := walkers(s"across${w.index}_${w.across(j)}").resize(widthU).asUInt
-    val quads = scene.quads.zipWithIndex.map { case (q, i) =>
-      (0 to 1).map(u => inside(walkers(s"quad${i}_$u"), 2 * q.half, n.last)).reduce(_ && _)
+    val quads = scene.quads.indices.map { i =>
+      Seq("quad", "quadEnd").flatMap(end => (0 to 1).map(u => !walkers(s"$end${i}_$u").msb)).reduce(_ && _)
     }
     s0(QUAD_SIDES) := (if (quads.isEmpty) B(0, 1 bits) else quads.asBits())
     val shadows = for (_ <- scene.light.toSeq; i <- scene.spheres.indices) yield {
@@ -140,20 +152,15 @@ case class RayPipeline(config: RayConfig) extends Component {
     line(0)(SPHERE_INDEX) := index
   }
 
-  /** Quotients by the checker's cell, two bits a stage; only the last bit is kept. */
+  /** Quotients by the checker's cell, a bit a stage; only the last bit is kept. */
   for (k <- 0 until divisions; j <- 0 to 1) {
     val node       = line(k + 2)
-    val bits       = (0 until quotientBits).reverse.slice(2 * k, 2 * k + 2)
-    var rest: UInt = node(rests(k)(j))
-    var bit: Bool  = False
-    for (i <- bits) {
-      val width   = scala.math.max(widthU, widthN + room.cellBits + i) + 1
-      val divisor = (node(N) << (room.cellBits + i)).resize(width)
-      bit = rest.resize(width) >= divisor
-      rest = Mux(bit, (rest.resize(width) - divisor), rest.resize(width)).resize(widthU)
-    }
-    node(rests(k + 1)(j)) := rest
-    node(parities(k)(j))  := bit
+    val i          = quotientBits - 1 - k
+    val width      = scala.math.max(widthU, widthN + room.cellBits + i) + 1
+    val rest       = node(rests(k)(j)).resize(width)
+    val difference = rest - (node(N) << (room.cellBits + i)).resize(width)
+    node(rests(k + 1)(j)) := Mux(difference.msb, rest, difference).resize(widthU)
+    node(parities(k)(j))  := !difference.msb
   }
 
   /** Colours of what is hit. */

@@ -7,7 +7,7 @@ import spinal.lib.fsm._
 
 /** Runs a [[frustum.spec.RayProgram]]: one memory of words, an adder, and a multiplier that takes a bit a clock.
   *
-  * `latch` takes the inputs and makes the frame's coefficients, `frameClocks` long. `line` gives the registers
+  * `latch` takes the inputs and makes the frame's coefficients, `frameClocks` long. `line` gives the words
   * of the row to come, one a clock, in `lineClocks`, then moves the state on to the next row in `rowClocks`.
   * A `line` or `latch` while busy cuts off what runs.
   */
@@ -25,7 +25,7 @@ case class RaySetup(program: RayProgram) extends Component {
   require(!row.exists(_.op == RayStep.Multiply), "a row's steps are additions")
 
   val frameClocks: Int = inputs.size + frame.size * RaySetup.StepClocks + multiplies * wordWidth + 2
-  val lineClocks: Int  = registers + 4
+  val lineClocks: Int  = loadWords + 4
   val rowClocks: Int   = row.size * RaySetup.StepClocks + 2
 
   private val initial = words.map(w => w.constant.getOrElse(BigInt(0)) & ((BigInt(1) << wordWidth) - 1))
@@ -36,7 +36,7 @@ case class RaySetup(program: RayProgram) extends Component {
 
   val latched      = Vec(io.inputs.map(v => RegNextWhen(v, io.latch)))
   val pc, end      = Reg(UInt(log2Up(steps.size + 1) bits))
-  val count        = Reg(UInt(log2Up(wordWidth.max(registers + 1).max(inputs.size + 1)) bits))
+  val count        = Reg(UInt(log2Up(wordWidth.max(loadWords + 1).max(inputs.size + 1)) bits))
   val a, b, result = Reg(Bits(wordWidth bits))
 
   val readAddress  = UInt(addressBits bits)
@@ -106,7 +106,7 @@ case class RaySetup(program: RayProgram) extends Component {
       readAddress := (count.resize(addressBits) + program.load).resized
       loading     := True
       count       := count + 1
-      when(count === registers - 1) {
+      when(count === loadWords - 1) {
         pc  := frame.size
         end := steps.size
         goto(fetch)
@@ -131,8 +131,8 @@ object RaySetup {
   val StepClocks = 5
 }
 
-/** Register `index` of the forms becomes `data`. */
+/** Word `index` of the row load. */
 case class RayRegisterLoad(program: RayProgram) extends Bundle {
-  val index = UInt(log2Up(program.registers) bits)
+  val index = UInt(log2Up(program.loadWords) bits)
   val data  = Bits(program.wordWidth bits)
 }

@@ -20,7 +20,7 @@ import scala.collection.mutable.ArrayBuffer
   * @param frame
   *   steps once a frame, then `row` after every row's load
   * @param load
-  *   address of register 0; registers lie at addresses in their own order
+  *   address of the first of `loadWords` words that fill the forms' registers, in the forms' order
   */
 case class RayProgram(
     words: IndexedSeq[RayWord],
@@ -30,7 +30,7 @@ case class RayProgram(
     load: Int,
     forms: Seq[RayForm]
 ) {
-  val registers: Int              = forms.map(_.registers).sum
+  val loadWords: Int              = forms.map(_.loadWords).sum
   val wordWidth: Int              = words.map(_.range.width).max
   private val byName              = forms.map(f => f.name -> f).toMap
   def form(name: String): RayForm = byName(name)
@@ -101,13 +101,19 @@ object RayProgram {
           add(scale(n, b.constant(eye(u) - room.low(u))), scale(direction(u), b.constant(w.distance(scene))))
         )
     }
+    for ((p, q) <- Wall.pairs if p.sign > 0 && q.sign > 0) {
+      val (n, m) = (scale(direction(p.axis), b.constant(p.sign)), scale(direction(q.axis), b.constant(q.sign)))
+      want(
+        s"before${p.index}_${q.index}",
+        subtract(scale(n, b.constant(q.distance(scene))), scale(m, b.constant(p.distance(scene))))
+      )
+    }
     for ((q, i) <- quads.zipWithIndex; u <- 0 to 1) {
       val wall   = Wall.back
       val offset = b.subtract(b.constant(eye(u) + scene.quads(i).half), q(u))
-      want(
-        s"quad${i}_$u",
-        add(scale(direction(2), offset), scale(direction(u), b.constant(wall.distance(scene))))
-      )
+      val low    = add(scale(direction(2), offset), scale(direction(u), b.constant(wall.distance(scene))))
+      want(s"quad${i}_$u", low)
+      want(s"quadEnd${i}_$u", subtract(scale(direction(2), b.constant(2 * scene.quads(i).half)), low))
     }
     for ((centre, i) <- centres.zipWithIndex) {
       val (along, _) = discriminant(s"sphere$i", direction, from(centre, eye), scene.spheres(i).radius)
@@ -160,7 +166,10 @@ object RayProgram {
       if (degree(p) == 3) Some((b.add(p.c(2), p.c(5)), b.add(p.c(5), p.c(5)))) else None
     }
     val load  = b.words.size
-    val state = starts.map(_.map { case (_, range) => b.word(range) })
+    val state = starts.map(_.zipWithIndex.map { case ((_, range), i) =>
+      if (i == 2) b.word(Interval(0)) // the gap of RayForm.slot
+      b.word(range)
+    })
     for ((s, from) <- state.zip(starts); (to, (w, _)) <- s.zip(from)) b.copy(to, w)
     for (((s, (_, p, _)), steps) <- state.zip(wanted).zip(rowSteps)) steps match {
       case Some((first, curve)) =>
@@ -171,10 +180,7 @@ object RayProgram {
         b.advance(s(1), p.c(4))
       case None => if (s.size > 1) b.advance(s(0), p.c(2))
     }
-    val registers = state.scanLeft(0)(_ + _.size)
-    val forms     = wanted.zip(state).zip(registers).map { case (((name, _, r), s), at) =>
-      RayForm(name, at, s.size, r)
-    }
+    val forms = wanted.zip(state).map { case ((name, _, r), s) => RayForm(name, s.head.address - load, s.size, r) }
     RayProgram(b.words.toIndexedSeq, inputs, b.frame.toSeq, b.row.toSeq, load, forms)
   }
 }

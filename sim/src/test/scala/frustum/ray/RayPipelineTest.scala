@@ -22,7 +22,7 @@ class RayPipelineTest extends AnyFunSuite {
 
   /** A small picture with blanks long enough for the set-up. */
   private val mode =
-    VideoMode("200x12", 25.175, 200, 12, 16, 96, 400, 40, 40, 120, hPositive = false, vPositive = false)
+    VideoMode("280x12", 25.175, 280, 12, 16, 96, 400, 40, 40, 120, hPositive = false, vPositive = false)
 
   private def compare(name: String, scene: RayScene, frames: Int, seed: Int): Unit = {
     val random  = new Random(seed)

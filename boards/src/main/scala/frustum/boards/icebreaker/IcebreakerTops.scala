@@ -2,6 +2,7 @@ package frustum.boards.icebreaker
 
 import frustum.blackbox.Tech
 import frustum.boards.{BoardClock, BoardTop, Part}
+import frustum.pipelines.PongPipelineConfig
 import frustum.spec.{Panel, RasterConfig}
 
 /** What is built for the iCEBreaker. */
@@ -20,5 +21,17 @@ object IcebreakerTops {
     core = BoardClock(IcebreakerClock.Net, coreMHz, "PLL on the 12 MHz oscillator"),
     otherClocks = Seq(BoardClock("host_sck", hostMHz, "SCK of the host")),
     component = () => RasterTop(RasterConfig(), Panel.Ili9341, coreMHz, Tech.Ice40)
+  )
+
+  /** 59.8 frames a second of 640 x 480: the next to 25.175 MHz that the PLL makes. */
+  val pongMHz = BigDecimal("25.125")
+
+  val pong: BoardTop = BoardTop(
+    name = "icebreaker-pong",
+    part = Part.Ice40Up5k,
+    constraints = "boards/icebreaker/pong.pcf",
+    core = BoardClock(IcebreakerClock.Net, pongMHz, "PLL on the 12 MHz oscillator"),
+    otherClocks = Nil,
+    component = () => PongTop(PongPipelineConfig(), pongMHz, Tech.Ice40)
   )
 }

@@ -31,9 +31,9 @@ class RayPicture(scene: RayScene, width: Int, height: Int) {
     Array.tabulate(height) { _ =>
       val registers = setup.row()
       for ((f, i) <- forms.zipWithIndex) {
-        value(i) = registers(f.register)
-        step(i) = if (f.registers > 1) registers(f.register + 1) else 0
-        curve(i) = if (f.registers > 2) registers(f.register + 2) else 0
+        value(i) = registers(f.slot(0))
+        step(i) = if (f.registers > 1) registers(f.slot(1)) else 0
+        curve(i) = if (f.registers > 2) registers(f.slot(2)) else 0
       }
       Array.fill(width) {
         val p = pixel()

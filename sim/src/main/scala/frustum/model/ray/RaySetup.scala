@@ -30,9 +30,9 @@ class RaySetup(program: RayProgram) {
     program.frame.foreach(run)
   }
 
-  /** Registers of the row to come; then the state moves on to the next. */
+  /** Words of the row load to come; then the state moves on to the next. */
   def row(): Array[Long] = {
-    val registers = Array.tabulate(program.registers)(r => memory(program.load + r).toLong)
+    val registers = Array.tabulate(program.loadWords)(r => memory(program.load + r).toLong)
     program.row.foreach(run)
     registers
   }

@@ -1,0 +1,35 @@
+package frustum.blackbox
+
+import spinal.core._
+
+/** The clock at a pin, inverted, so that its rising edge falls into the middle of what registers put beside it: by the
+  * pad's double data rate registers on an iCE40; with [[Tech.Generic]] plain logic.
+  */
+case class ClockOutput(tech: Tech) extends Component {
+  val io  = new Bundle { val pin = out Bool () }
+  val now = ClockDomain.current.readClockWire
+  tech match {
+    case Tech.Ice40 =>
+      val cell = Ice40DoubleRateOutput()
+      cell.io.OUTPUTCLK  := now
+      cell.io.DOUT0      := False
+      cell.io.DOUT1      := True
+      io.pin             := cell.io.PACKAGEPIN
+    case Tech.Generic => io.pin := !now
+  }
+}
+
+/** SB_IO as output at both edges: `DOUT0` after the rising one (Lattice, iCE40 Technology Library). */
+case class Ice40DoubleRateOutput() extends BlackBox {
+  setDefinitionName("SB_IO")
+  addGeneric("PIN_TYPE", B"010001")
+  val io = new Bundle {
+    val PACKAGEPIN   = out Bool ()
+    val OUTPUTCLK    = in Bool ()
+    val DOUT0, DOUT1 = in Bool ()
+  }
+  io.PACKAGEPIN.setName("PACKAGE_PIN")
+  io.OUTPUTCLK.setName("OUTPUT_CLK")
+  io.DOUT0.setName("D_OUT_0")
+  io.DOUT1.setName("D_OUT_1")
+}
