@@ -1,5 +1,6 @@
 package frustum.picture
 
+import frustum.spec.ColorFormat
 import org.scalatest.funsuite.AnyFunSuite
 import java.nio.file.Files
 import javax.imageio.ImageIO
@@ -22,5 +23,11 @@ class PictureTest extends AnyFunSuite {
     val read = ImageIO.read(folder.resolve("deep/a.png").toFile)
     assert((0 until 12).forall(i => (read.getRGB(i % 4, i / 4) & 0xffffff) == image(i)))
     assert(folder.resolve("deep").toFile.list().toSeq == Seq("a.png"))
+  }
+
+  test("colours of any format widen to the nearest of 0..255") {
+    assert(Picture.ofFormat(Array(0xfff, 0x000, 0x1a5), ColorFormat.Rgb444).toSeq == Seq(0xffffff, 0, 0x11aa55))
+    assert(Picture.ofFormat(Array(0xff, 0x25, 0x82), ColorFormat.Rgb332).toSeq == Seq(0xffffff, 0x242455, 0x9200aa))
+    assert(Picture.ofFormat(Array(0x123456), ColorFormat.Rgb888).toSeq == Seq(0x123456))
   }
 }

@@ -1,0 +1,43 @@
+package frustum.judge
+
+import frustum.engine.PongFrame
+import frustum.model.game.{PongButtons, PongGame}
+import frustum.model.pipelines.PongModel
+import frustum.pipelines.PongPipelineConfig
+import frustum.spec._
+import org.scalatest.funsuite.AnyFunSuite
+
+class PongJudgeTest extends AnyFunSuite {
+  private val mode =
+    VideoMode("256x96", 25.175, 256, 96, 16, 96, 400, 10, 2, 33, hPositive = true, vPositive = false)
+  private val config = PongPipelineConfig(mode, scene = PongScene.room(256, 96, 3))
+  private val model  = new PongModel(config)
+  private val moved  = PongGame.start.tick(PongButtons(up = true))
+
+  private def judge(frames: PongFrame*): PongFigures = {
+    val judge = new PongJudge(config)
+    frames.foreach(judge.add)
+    judge.figures()
+  }
+
+  test("the model's own frames are without fault") {
+    val f = judge(Seq(PongGame.start, PongGame.start, moved).zipWithIndex.map { case (g, i) => PongFrame(i, model.frame(g), g) }: _*)
+    assert(f.frames == 3 && f.pixels == 3 * 256 * 96 && f.failures.isEmpty, f)
+  }
+
+  test("a pixel that differs, and a frame of another tick, are seen") {
+    val wrong = model.frame(moved)
+    wrong(1234) ^= 1
+    val f = judge(PongFrame(0, model.frame(PongGame.start), PongGame.start), PongFrame(1, wrong, moved))
+    assert(f.pixelsDifferent == 1 && f.failures == Seq("1 pixels differ from the model's"))
+    assert(judge(PongFrame(0, model.frame(PongGame.start), moved)).pixelsDifferent > 0)
+  }
+
+  test("sums, and what must be zero") {
+    val one = PongFigures(RayCounts(1, 2, 3, 4, 5.5, 6, Some(30)), 100, 7)
+    val sum = one + PongFigures(RayCounts(0, 0, 0, 0, 1.5, 0, None), 100, 0)
+    assert(sum.failures.map(_.takeWhile(_ != ' ')) == Seq("7", "1", "2", "3", "4"))
+    assert(sum.frames == 2 && sum.maxColourError == 5.5 && sum.colourErrorsOver1 == 6)
+    assert((one.psnr.get - 30).abs < 1e-9 && (sum.psnr.get - 30 - 10 * scala.math.log10(2)).abs < 1e-9)
+  }
+}
