@@ -5,8 +5,8 @@ import spinal.core._
 /** The clock of a design on an iCE40: a pad's clock multiplied by the PLL beside that pad.
   *
   * `clockOut` runs at `settings.outputMHz` once `locked`, some 50 us after power up or `enable`. With
-  * [[Tech.Generic]] the clock passes straight through and is always locked: a simulation drives the pad at the
-  * output frequency.
+  * [[Tech.Generic]] the clock passes straight through and is locked after its first clocks, so that what waits for
+  * the lock is reset as on the device: a simulation drives the pad at the output frequency.
   */
 case class Ice40Pll(settings: Ice40PllSettings, tech: Tech) extends Component {
   val io = new Bundle {
@@ -26,7 +26,11 @@ case class Ice40Pll(settings: Ice40PllSettings, tech: Tech) extends Component {
       io.locked          := cell.io.LOCK
     case _ =>
       io.clockOut := io.clockIn
-      io.locked   := io.enable
+      val start = new ClockingArea(ClockDomain(io.clockIn, config = ClockDomainConfig(resetKind = BOOT))) {
+        val clocks = Reg(UInt(3 bits)) init 0
+        when(!clocks.andR)(clocks := clocks + 1)
+      }
+      io.locked := io.enable && start.clocks.andR
   }
 }
 

@@ -16,7 +16,8 @@ object DemoTable {
     "coverage wrong"     -> (r => whole(r, "modelVsReference", "coverageWrong")),
     "texels wrong"       -> texels,
     "order wrong"        -> (r => whole(r, "modelVsReference", "depthOrderWrong")),
-    "PSNR dB"            -> (r => decimal(r, "modelVsReference", "psnr")),
+    "objects wrong"      -> rays,
+    "PSNR dB"            -> (r => if (r.obj.contains("psnr")) decimal(r, "psnr") else decimal(r, "modelVsReference", "psnr")),
     "end to end PSNR dB" -> (r => decimal(r, "endToEnd", "psnr")),
     "FLIP"               -> (r => value(r, "endToEnd", "flip").fold("-")(v => format("%.4f", v.num)))
   )
@@ -40,6 +41,12 @@ object DemoTable {
 
   private def decimal(r: ujson.Obj, path: String*) =
     value(r, path: _*).fold("-")(v => if (v.isNull) "equal" else format("%.1f", v.num))
+
+  /** Everything of a ray caster that is to be exact. */
+  private def rays(r: ujson.Obj) = {
+    val keys = Seq("silhouettePixelsWrong", "shadowPixelsWrong", "objectPixelsWrong", "checkerCellsWrong").flatMap(value(r, _))
+    if (keys.isEmpty) "-" else format("%,.0f", keys.map(_.num).sum)
+  }
 
   private def texels(r: ujson.Obj) = (for {
     wrong  <- value(r, "modelVsReference", "texelsWrong")

@@ -23,8 +23,8 @@ class PongCommandTest extends AnyFunSuite {
     val frames = (0 until 4).map(i => ImageIO.read(folder.resolve(f"frame-$i%04d.png").toFile))
     assert(frames.forall(f => f.getWidth == 640 && f.getHeight == 480))
     assert(Files.size(folder.resolve("pong.gif")) > 1000)
-    // The paddle, white in the middle of the back wall, went up and to the right, then up.
-    def white(i: Int) = for (y <- 100 until 300; x <- 0 until 640 if (frames(i).getRGB(x, y) & 0xffffff) == 0xffffff) yield (x, y)
+    // The paddle, the only white on the back wall, went up and to the right, then up.
+    def white(i: Int) = for (y <- 165 until 315; x <- 220 until 420 if (frames(i).getRGB(x, y) & 0xffffff) == 0xffffff) yield (x, y)
     val (first, last) = (white(0), white(3))
     assert(last.map(_._1).max > first.map(_._1).max && last.map(_._2).min < first.map(_._2).min)
   }

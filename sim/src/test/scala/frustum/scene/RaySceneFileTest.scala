@@ -35,7 +35,7 @@ class RaySceneFileTest extends AnyFunSuite {
       Some(IntVector(1, 2, 3)),
       base.background
     ))
-    val turned = read("""{"camera": {"eye": [0, 0, 10], "corner": [-1, -2, 3], "right": [1, 0, 0], "down": [0, 1, 0]}}""")
+    val turned = read("""{"camera": {"eye": [0, 0, -300], "corner": [-1, -2, 3], "right": [1, 0, 0], "down": [0, 1, 0]}}""")
     assert(turned.camera.direction(2, 3) == IntVector(1, 1, 3))
   }
 
