@@ -1,15 +1,15 @@
 package frustum.command
 
 import frustum.{BuildInfo, InputError}
-import frustum.boards.BoardTop
+import frustum.boards.{BoardTop, Part}
 import frustum.OutputFile
-import frustum.boards.flow.{BitstreamReport, Ice40Flow, Ice40Tools, MissingTool}
+import frustum.boards.flow.{Artix7Flow, Artix7Tools, BitstreamReport, Ice40Flow, Ice40Tools, MissingTool}
 import java.nio.file.{Files, Path, Paths}
 
-/** `bitstream TOP`: synthesis, place and route; writes `out/bitstream/TOP.bin` and the figures to `TOP.json` there. */
+/** `bitstream TOP`: synthesis, place and route; writes `out/bitstream/TOP.bin` (Arty: `TOP.fasm`) and the figures to `TOP.json` there. */
 object BitstreamCommand extends CommandLine {
   val name    = "bitstream"
-  val summary = "builds a board's top; writes out/bitstream/TOP.bin and the figures to out/bitstream/TOP.json"
+  val summary = "builds a board's top; writes out/bitstream/TOP.bin (Arty: .fasm) and the figures to out/bitstream/TOP.json"
 
   private val parser = TopArguments.parser(name, summary, seeds = true)
 
@@ -19,7 +19,7 @@ object BitstreamCommand extends CommandLine {
       val directory = Paths.get("out", "bitstream")
       Files.createDirectories(directory)
       // What an earlier run left would pass for this run's if this one failed.
-      Seq("json", "bin").foreach(kind => Files.deleteIfExists(directory.resolve(s"${top.name}.$kind")))
+      Seq("json", top.part.bitstream).foreach(kind => Files.deleteIfExists(directory.resolve(s"${top.name}.$kind")))
       val report = build(top, arguments.seeds, directory)
       val file   = directory.resolve(s"${top.name}.json")
       OutputFile.writeText(file, ujson.write(report.json(BuildInfo.version), indent = 2) + "\n")
@@ -30,10 +30,12 @@ object BitstreamCommand extends CommandLine {
   private def build(top: BoardTop, seeds: Int, directory: Path): BitstreamReport = {
     def say(line: String): Unit = println(s"$name ${top.name}: $line")
     try {
-      val tools = Ice40Tools.find(say)
       println(s"$name ${top.name}: target ${top.targetMHz} MHz (${top.core.source}), seeds ${(1 to seeds).mkString(", ")}")
-      val report = Ice40Flow.run(top, 1 to seeds, directory, tools, say)
-      if (report.fits && report.icetimeMHz.isEmpty)
+      val report = top.part match {
+        case Part.Ice40Up5k => Ice40Flow.run(top, 1 to seeds, directory, Ice40Tools.find(say), say)
+        case Part.Artix7A35 => Artix7Flow.run(top, 1 to seeds, directory, Artix7Tools.find(), say)
+      }
+      if (report.fits && top.part == Part.Ice40Up5k && report.icetimeMHz.isEmpty)
         say("no icetime here, so no icetimeMHz in the report; it is in Debian's fpga-icestorm and fpga-icestorm-chipdb")
       report
     } catch { case MissingTool(message) => throw InputError(message) }

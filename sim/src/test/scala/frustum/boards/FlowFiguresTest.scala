@@ -25,7 +25,7 @@ class FlowFiguresTest extends AnyFunSuite {
     Ice40Tools(tool("yosys"), tool("nextpnr-ice40"), tool("icepack"), Seq())
   }
 
-  private def report(icetime: Seq[Double], placements: Placement*) = BitstreamReport(top, tools, placements, icetime)
+  private def report(icetime: Seq[Double], placements: Placement*) = BitstreamReport(top, tools.engine, placements, icetime)
 
   test("utilisation comes out of the log even when the design is too big") {
     val (used, available) = Nextpnr.utilisation(log)

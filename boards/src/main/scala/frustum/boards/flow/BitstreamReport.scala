@@ -4,11 +4,12 @@ import frustum.boards.BoardTop
 
 /** What placing a top with several seeds came to. Figures are the worst of the seeds.
   *
+  * @param engine     the programs and their versions
   * @param icetimeMHz one figure a seed; empty when there is no icetime
   */
 final case class BitstreamReport(
     top: BoardTop,
-    tools: Ice40Tools,
+    engine: String,
     placements: Seq[Placement],
     icetimeMHz: Seq[Double]
 ) {
@@ -48,15 +49,12 @@ final case class BitstreamReport(
       "command" -> "bitstream",
       "version" -> version,
       "seed" -> placements.head.seed,
-      "engine" -> s"yosys ${tools.yosys.version}, nextpnr-ice40 ${tools.nextpnr.version}",
+      "engine" -> engine,
       "top" -> top.name,
       "part" -> top.part.name,
-      "fits" -> fits,
-      "logicCells" -> worst("ICESTORM_LC"),
-      "ebr" -> worst("ICESTORM_RAM"),
-      "spram" -> worst("ICESTORM_SPRAM"),
-      "dsp" -> worst("ICESTORM_DSP")
+      "fits" -> fits
     )
+    for ((key, kinds) <- top.part.figures) figures(key) = kinds.map(worst).sum
     if (fits) figures("clockMHz") = ujson.Obj("min" -> coreMHz.min, "max" -> coreMHz.max, "seeds" -> ujson.Arr.from(coreMHz))
     if (fits && icetimeMHz.nonEmpty) figures("icetimeMHz") = icetimeMHz.min
     figures("targetMHz") = top.targetMHz.toDouble
@@ -67,8 +65,9 @@ final case class BitstreamReport(
 
 object BitstreamReport {
 
-  /** A net's name without what nextpnr appends on the way to a global buffer; yosys joins the names of a hierarchy by
-    * an underscore or, since 0.70, by a dot.
+  /** A net's name without what nextpnr appends on the way to a global buffer, or puts before a pad's; yosys joins the
+    * names of a hierarchy by an underscore or, since 0.70, by a dot.
     */
-  def plainNet(net: String): String = net.split('$').head.replace('.', '_')
+  def plainNet(net: String): String =
+    (if (net.startsWith("$")) net.split('$').last else net.split('$').head).replace('.', '_')
 }

@@ -25,21 +25,13 @@ object Ice40Flow {
       say(s"seed $seed (${i + 1} of ${seeds.length}): " + summary(placement, icetime))
       (placement, icetime)
     }
-    val report = BitstreamReport(top, tools, results.map(_._1), results.flatMap(_._2))
+    val report = BitstreamReport(top, tools.engine, results.map(_._1), results.flatMap(_._2))
     if (report.fits) pack(tools.icepack, work, top.name, report.bestSeed, directory)
     report
   }
 
   private def summary(placement: Placement, icetime: Option[Double]): String =
-    if (!placement.fits) {
-      val over = placement.used.toSeq.sorted.collect {
-        case (kind, n) if n > placement.available(kind) => s"$n of ${placement.available(kind)} $kind"
-      }
-      if (over.isEmpty) "does not fit" else s"does not fit: ${over.mkString(", ")}"
-    } else {
-      val clocks = placement.clocks.toSeq.sorted.map { case (net, (got, need)) => f"$net $got%.2f MHz (needs $need%.2f)" }
-      (clocks ++ icetime.map(mhz => f"icetime $mhz%.2f MHz")).mkString(", ")
-    }
+    (placement.summary +: icetime.map(mhz => f"icetime $mhz%.2f MHz").toSeq).mkString(", ")
 
   private def pack(icepack: Tool, work: Path, name: String, seed: Int, directory: Path): Unit = {
     if (icepack.run(work, s"$name.icepack.log", Seq(s"$name.$seed.asc", s"$name.bin")) != 0)

@@ -3,7 +3,9 @@ package frustum.boards.flow
 import scala.math.Ordering.Implicits._
 
 /** The programs that make an iCE40 bitstream: native ones from PATH where they are new enough, else YoWASP's from PyPI. */
-final case class Ice40Tools(yosys: Tool, nextpnr: Tool, icepack: Tool, icetime: Seq[Tool])
+final case class Ice40Tools(yosys: Tool, nextpnr: Tool, icepack: Tool, icetime: Seq[Tool]) {
+  def engine: String = s"yosys ${yosys.version}, nextpnr-ice40 ${nextpnr.version}"
+}
 
 object Ice40Tools {
 

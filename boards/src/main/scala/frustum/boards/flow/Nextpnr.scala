@@ -1,6 +1,6 @@
 package frustum.boards.flow
 
-import frustum.boards.{BoardTop, Part}
+import frustum.boards.BoardTop
 import java.nio.file.{Files, Path, Paths}
 
 /** One placement.
@@ -14,7 +14,13 @@ final case class Placement(
     used: Map[String, Int],
     available: Map[String, Int],
     clocks: Map[String, (Double, Double)]
-)
+) {
+  def summary: String =
+    if (!fits) {
+      val over = used.toSeq.sorted.collect { case (kind, n) if n > available(kind) => s"$n of ${available(kind)} $kind" }
+      if (over.isEmpty) "does not fit" else s"does not fit: ${over.mkString(", ")}"
+    } else clocks.toSeq.sorted.map { case (net, (got, need)) => f"$net $got%.2f MHz (needs $need%.2f)" }.mkString(", ")
+}
 
 /** Place and route for the iCE40: `<name>.netlist.json` to `<name>.<seed>.asc`. */
 object Nextpnr {
@@ -30,11 +36,10 @@ object Nextpnr {
     val run    = s"${top.name}.$seed"
     val report = directory.resolve(s"$run.report.json")
     Files.deleteIfExists(report)
-    val device = top.part match { case Part.Ice40Up5k => "--up5k" }
     val code = tool.run(
       directory,
       s"$run.nextpnr.log",
-      Seq(device, "--package", top.part.packageName, "--json", s"${top.name}.netlist.json", "--pcf", s"${top.name}.pcf") ++
+      Seq("--up5k", "--package", top.part.packageName, "--json", s"${top.name}.netlist.json", "--pcf", s"${top.name}.pcf") ++
         Seq("--asc", s"$run.asc", "--report", s"$run.report.json", "--freq", s"${top.targetMHz}", "--seed", s"$seed") ++
         Seq("--timing-allow-fail")
     )
