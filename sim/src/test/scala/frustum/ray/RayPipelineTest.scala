@@ -9,7 +9,7 @@ import spinal.core.sim._
 import spinal.lib._
 
 import scala.collection.mutable.ArrayBuffer
-import scala.util.Random
+import scala.util.{Random, Try}
 
 /** Ray caster with `expected`, when its result is due by the latency that it tells. */
 class TimedRay(config: RayConfig) extends RayPipeline(config) {
@@ -24,7 +24,7 @@ class RayPipelineTest extends AnyFunSuite {
   private val mode =
     VideoMode("280x12", 25.175, 280, 12, 16, 96, 400, 40, 40, 120, hPositive = false, vPositive = false)
 
-  private def compare(name: String, scene: RayScene, frames: Int, seed: Int): Unit = {
+  private def compare(name: String, scene: RayScene, frames: Int, seed: Int, mode: VideoMode = mode): Unit = {
     val random  = new Random(seed)
     val motions = Seq.fill(frames)(RandomScenes.motion(scene, random))
     val model   = new RayPicture(scene, mode.width, mode.height)
@@ -86,6 +86,19 @@ class RayPipelineTest extends AnyFunSuite {
   test("pong")(compare("pong", pong, 8, 1))
   test("no sphere")(compare("noSphere", pong.copy(spheres = Nil), 2, 2))
   test("no light")(compare("noLight", pong.copy(light = None), 3, 3))
+
+  test("random scenes, oriented cameras") {
+    val wide = mode.copy(name = "400x12", width = 400)
+    for (seed <- 4 to 6) {
+      val random = new Random(seed)
+      // Some need more than 64 bits in a picture of this width, and are refused.
+      val scene = Iterator
+        .continually(RandomScenes.scene(random, wide.width, wide.height))
+        .find(s => s.spheres.size == 1 && s.light.isDefined && Try(RayConfig(s, wide)).isSuccess)
+        .get
+      compare(s"random$seed", scene, 2, seed, wide)
+    }
+  }
 
   test("no sphere means no sphere logic") {
     val names = RayConfig(pong.copy(spheres = Nil), mode).program.forms.map(_.name)
