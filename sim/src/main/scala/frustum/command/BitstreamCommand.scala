@@ -6,7 +6,9 @@ import frustum.OutputFile
 import frustum.boards.flow.{Artix7Flow, Artix7Tools, BitstreamReport, Ice40Flow, Ice40Tools, MissingTool}
 import java.nio.file.{Files, Path, Paths}
 
-/** `bitstream TOP`: synthesis, place and route; writes `out/bitstream/TOP.bin` (Arty: `TOP.fasm`) and the figures to `TOP.json` there. */
+/** `bitstream TOP`: synthesis, place and route; writes `out/bitstream/TOP.bin` (Arty: `TOP.fasm`) and the figures to
+  * `TOP.json` there.
+  */
 object BitstreamCommand extends CommandLine {
   val name    = "bitstream"
   val summary = "builds a board's top; writes out/bitstream/TOP.bin (Arty: .fasm) and the figures to out/bitstream/TOP.json"
@@ -31,10 +33,11 @@ object BitstreamCommand extends CommandLine {
     def say(line: String): Unit = println(s"$name ${top.name}: $line")
     try {
       println(s"$name ${top.name}: target ${top.targetMHz} MHz (${top.core.source}), seeds ${(1 to seeds).mkString(", ")}")
-      val report = top.part match {
-        case Part.Ice40Up5k => Ice40Flow.run(top, 1 to seeds, directory, Ice40Tools.find(say), say)
-        case Part.Artix7A35 => Artix7Flow.run(top, 1 to seeds, directory, Artix7Tools.find(), say)
+      val flow = top.part match {
+        case Part.Ice40Up5k => new Ice40Flow(Ice40Tools.find(say))
+        case Part.Artix7A35 => new Artix7Flow(Artix7Tools.find())
       }
+      val report = flow.run(top, 1 to seeds, directory, say)
       if (report.fits && top.part == Part.Ice40Up5k && report.icetimeMHz.isEmpty)
         say("no icetime here, so no icetimeMHz in the report; it is in Debian's fpga-icestorm and fpga-icestorm-chipdb")
       report

@@ -20,12 +20,7 @@ class FlowFiguresTest extends AnyFunSuite {
     Map(top.core.net -> ((core, 36.0)), "sck$SB_IO_IN_$glb_clk" -> ((sck, 48.0)))
   )
 
-  private val tools = {
-    def tool(name: String) = Tool(name, "1.0", Seq(name), Map())
-    Ice40Tools(tool("yosys"), tool("nextpnr-ice40"), tool("icepack"), Seq())
-  }
-
-  private def report(icetime: Seq[Double], placements: Placement*) = BitstreamReport(top, tools.engine, placements, icetime)
+  private def report(icetime: Seq[Double], placements: Placement*) = BitstreamReport(top, "yosys 1.0, nextpnr-ice40 1.0", placements, icetime)
 
   test("utilisation comes out of the log even when the design is too big") {
     val (used, available) = Nextpnr.utilisation(log)

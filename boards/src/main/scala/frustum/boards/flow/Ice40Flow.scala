@@ -1,41 +1,35 @@
 package frustum.boards.flow
 
 import frustum.boards.BoardTop
-import java.nio.file.{Files, Path}
+import java.nio.file.{Files, Path, Paths}
 
-/** From a top to a bitstream: elaborate, synthesise, place with each seed, analyse timing, pack. */
-object Ice40Flow {
+/** The flow for the iCE40UP5K, to a bitstream. */
+final class Ice40Flow(tools: Ice40Tools) extends Flow {
+  protected def yosys: Tool    = tools.yosys
+  protected def nextpnr: Tool  = tools.nextpnr
+  protected def engine: String = s"yosys ${yosys.version}, nextpnr-ice40 ${nextpnr.version}"
 
-  /** Builds in `directory/<name>.build` and leaves `directory/<name>.bin` of the best seed when the design fits.
-    *
-    * @param say told of each step as it ends
+  /** `-no-rw-check`: the library states don't-care where a memory is read and written at one address.
+    * No `-dsp`: multipliers are instantiated, and that pass disconnects their clocks.
     */
-  def run(top: BoardTop, seeds: Seq[Int], directory: Path, tools: Ice40Tools, say: String => Unit): BitstreamReport = {
-    val work = directory.resolve(s"${top.name}.build")
-    Files.createDirectories(work)
-    work.toFile.listFiles.filter(_.isFile).foreach(_.delete())
-    val module = top.writeVerilog(work.toString)
-    say(s"elaborated $module into $work/${top.name}.v")
-    Yosys.synthesise(tools.yosys, work, top.name, module)
-    say(s"synthesised with yosys ${tools.yosys.version}")
-    Nextpnr.writeConstraints(work, top)
-    val results = seeds.zipWithIndex.map { case (seed, i) =>
-      val placement = Nextpnr.place(tools.nextpnr, work, top, seed)
-      val icetime   = if (placement.fits) Icetime.analyse(tools.icetime, work, top, seed) else None
-      say(s"seed $seed (${i + 1} of ${seeds.length}): " + summary(placement, icetime))
-      (placement, icetime)
-    }
-    val report = BitstreamReport(top, tools.engine, results.map(_._1), results.flatMap(_._2))
-    if (report.fits) pack(tools.icepack, work, top.name, report.bestSeed, directory)
-    report
+  protected def synthesis: String = "synth_ice40 -abc9 -no-rw-check"
+
+  protected def writeConstraints(work: Path, top: BoardTop): Unit = {
+    val pins   = Files.readString(Paths.get(top.constraints))
+    val clocks = top.clocks.map(c => s"set_frequency ${c.net} ${c.mhz} # ${c.source}\n").mkString
+    Files.writeString(work.resolve(s"${top.name}.pcf"), s"$pins\n$clocks")
   }
 
-  private def summary(placement: Placement, icetime: Option[Double]): String =
-    (placement.summary +: icetime.map(mhz => f"icetime $mhz%.2f MHz").toSeq).mkString(", ")
+  protected def placement(top: BoardTop, run: String): Seq[String] =
+    Seq("--up5k", "--package", top.part.packageName, "--pcf", s"${top.name}.pcf", "--asc", s"$run.asc")
 
-  private def pack(icepack: Tool, work: Path, name: String, seed: Int, directory: Path): Unit = {
-    if (icepack.run(work, s"$name.icepack.log", Seq(s"$name.$seed.asc", s"$name.bin")) != 0)
-      throw FlowFault(s"icepack failed: ${Tool.faults(work.resolve(s"$name.icepack.log"))}")
-    Files.move(work.resolve(s"$name.bin"), directory.resolve(s"$name.bin"), java.nio.file.StandardCopyOption.REPLACE_EXISTING)
+  override protected def secondOpinion(work: Path, top: BoardTop, seed: Int): Option[Double] =
+    Icetime.analyse(tools.icetime, work, top, seed)
+
+  protected def pack(work: Path, top: BoardTop, seed: Int): Path = {
+    val (name, log) = (top.name, s"${top.name}.icepack.log")
+    if (tools.icepack.run(work, log, Seq(s"$name.$seed.asc", s"$name.bin")) != 0)
+      throw FlowFault(s"icepack failed: ${Tool.faults(work.resolve(log))}")
+    work.resolve(s"$name.bin")
   }
 }

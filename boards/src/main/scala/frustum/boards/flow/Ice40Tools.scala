@@ -1,11 +1,7 @@
 package frustum.boards.flow
 
-import scala.math.Ordering.Implicits._
-
 /** The programs that make an iCE40 bitstream: native ones from PATH where they are new enough, else YoWASP's from PyPI. */
-final case class Ice40Tools(yosys: Tool, nextpnr: Tool, icepack: Tool, icetime: Seq[Tool]) {
-  def engine: String = s"yosys ${yosys.version}, nextpnr-ice40 ${nextpnr.version}"
-}
+final case class Ice40Tools(yosys: Tool, nextpnr: Tool, icepack: Tool, icetime: Seq[Tool])
 
 object Ice40Tools {
 
@@ -17,13 +13,8 @@ object Ice40Tools {
 
   /** @param say told what is being prepared */
   def find(say: String => Unit): Ice40Tools = {
-    def native(name: String, flag: String, oldest: (Int, Int)): Option[Tool] =
-      Tool.onPath(name).flatMap { path =>
-        val found = Tool.version(Tool.output(Seq(path, flag)))
-        found.filter(_ >= oldest).map(v => Tool(name, s"${v._1}.${v._2}", Seq(path), Map()))
-      }.headOption
-    val yosys   = native("yosys", "-V", OldestYosys)
-    val nextpnr = native("nextpnr-ice40", "--version", OldestNextpnr)
+    val yosys   = Tool.native("yosys", "-V", OldestYosys)
+    val nextpnr = Tool.native("nextpnr-ice40", "--version", OldestNextpnr)
     val icepack = Tool.onPath("icepack").headOption.map(path => Tool("icepack", "", Seq(path), Map()))
     Ice40Tools(
       yosys.getOrElse(Yowasp.tool("yosys", "-V", say)),

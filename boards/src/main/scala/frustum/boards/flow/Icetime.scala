@@ -1,6 +1,6 @@
 package frustum.boards.flow
 
-import frustum.boards.{BoardTop, Part}
+import frustum.boards.BoardTop
 import java.nio.file.{Files, Path}
 
 /** A second opinion on timing: icestorm's analyser, which shares no delay model with nextpnr. */
@@ -10,8 +10,7 @@ object Icetime {
     * several are tried, as one without its chip database is of no use.
     */
   def analyse(tools: Seq[Tool], directory: Path, top: BoardTop, seed: Int): Option[Double] = {
-    val device = top.part match { case Part.Ice40Up5k => "up5k" }
-    val arguments = Seq("-d", device, "-P", top.part.packageName, "-c", s"${top.targetMHz}", s"${top.name}.$seed.asc")
+    val arguments = Seq("-d", "up5k", "-P", top.part.packageName, "-c", s"${top.targetMHz}", s"${top.name}.$seed.asc")
     tools.iterator.map { tool =>
       val log = s"${top.name}.$seed.icetime.log"
       tool.run(directory, log, arguments)

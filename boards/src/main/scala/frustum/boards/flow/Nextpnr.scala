@@ -1,7 +1,7 @@
 package frustum.boards.flow
 
 import frustum.boards.BoardTop
-import java.nio.file.{Files, Path, Paths}
+import java.nio.file.{Files, Path}
 
 /** One placement.
   *
@@ -22,32 +22,26 @@ final case class Placement(
     } else clocks.toSeq.sorted.map { case (net, (got, need)) => f"$net $got%.2f MHz (needs $need%.2f)" }.mkString(", ")
 }
 
-/** Place and route for the iCE40: `<name>.netlist.json` to `<name>.<seed>.asc`. */
+/** Place and route: `<name>.netlist.json` to the part's own file. */
 object Nextpnr {
 
-  /** Writes the pins and, from the table of tops, a frequency for every clock. */
-  def writeConstraints(directory: Path, top: BoardTop): Unit = {
-    val pins   = Files.readString(Paths.get(top.constraints))
-    val clocks = top.clocks.map(c => s"set_frequency ${c.net} ${c.mhz} # ${c.source}\n").mkString
-    Files.writeString(directory.resolve(s"${top.name}.pcf"), s"$pins\n$clocks")
-  }
-
-  def place(tool: Tool, directory: Path, top: BoardTop, seed: Int): Placement = {
+  /** @param part arguments that tell the device, its constraints and what to write */
+  def place(tool: Tool, directory: Path, top: BoardTop, seed: Int, part: Seq[String]): Placement = {
     val run    = s"${top.name}.$seed"
     val report = directory.resolve(s"$run.report.json")
     Files.deleteIfExists(report)
     val code = tool.run(
       directory,
       s"$run.nextpnr.log",
-      Seq("--up5k", "--package", top.part.packageName, "--json", s"${top.name}.netlist.json", "--pcf", s"${top.name}.pcf") ++
-        Seq("--asc", s"$run.asc", "--report", s"$run.report.json", "--freq", s"${top.targetMHz}", "--seed", s"$seed") ++
-        Seq("--timing-allow-fail")
+      part ++ Seq("--json", s"${top.name}.netlist.json", "--report", s"$run.report.json") ++
+        Seq("--freq", s"${top.targetMHz}", "--seed", s"$seed", "--timing-allow-fail")
     )
     val log               = directory.resolve(s"$run.nextpnr.log")
-    val (used, available) = utilisation(Files.readString(log))
+    val said              = Files.readString(log)
+    val (used, available) = utilisation(said)
     val tooBig            = used.exists { case (kind, n) => n > available(kind) }
-    val unplaced          = Files.readString(log).contains("no Bels remaining of type") ||
-      Files.readString(log).contains("no BELs remaining to implement cell type")
+    val unplaced          = said.contains("no Bels remaining of type") ||
+      said.contains("no BELs remaining to implement cell type")
     if (code != 0 && !tooBig && !unplaced)
       throw FlowFault(s"nextpnr failed on ${top.name}: ${Tool.faults(log)} ($log)")
     val clocks = if (code == 0) clockFigures(ujson.read(Files.readString(report))) else Map.empty[String, (Double, Double)]

@@ -4,6 +4,7 @@ import java.io.File
 import java.lang.ProcessBuilder.Redirect
 import java.nio.file.{Files, Path}
 import scala.jdk.CollectionConverters._
+import scala.math.Ordering.Implicits._
 
 /** A program of the flow: how it is started, and what it calls itself. */
 final case class Tool(name: String, version: String, command: Seq[String], environment: Map[String, String]) {
@@ -38,6 +39,12 @@ object Tool {
       .filter(f => f.isFile && f.canExecute)
       .map(_.getPath)
       .distinct
+
+  /** The first of this name on PATH that tells, asked by `flag`, a version of `oldest` or newer. */
+  def native(name: String, flag: String, oldest: (Int, Int) = (0, 0)): Option[Tool] =
+    onPath(name).flatMap { path =>
+      version(output(Seq(path, flag))).filter(_ >= oldest).map(v => Tool(name, s"${v._1}.${v._2}", Seq(path), Map()))
+    }.headOption
 
   /** What a program prints, both streams together; empty when it cannot be started. */
   def output(command: Seq[String], environment: Map[String, String] = Map()): String = {

@@ -2,18 +2,14 @@ package frustum.boards.flow
 
 import java.nio.file.{Files, Path}
 
-/** Synthesis for the iCE40: `<name>.v` to `<name>.netlist.json`, in one directory. */
+/** Synthesis: `<name>.v` to `<name>.netlist.json`, in one directory. */
 object Yosys {
 
-  /** `-no-rw-check`: the library states don't-care where a memory is read and written at one address.
-    * No `-dsp`: multipliers are instantiated, and that pass disconnects their clocks.
-    */
-  def script(name: String, module: String): String =
-    s"read_verilog $name.v; synth_ice40 -abc9 -no-rw-check -top $module -json $name.netlist.json"
-
-  def synthesise(tool: Tool, directory: Path, name: String, module: String): Unit = {
-    val log = s"$name.yosys.log"
-    if (tool.run(directory, log, Seq("-p", script(name, module))) != 0) {
+  /** @param synthesis the part's pass with its options, the top module among them */
+  def synthesise(tool: Tool, directory: Path, name: String, synthesis: String): Unit = {
+    val log    = s"$name.yosys.log"
+    val script = s"read_verilog $name.v; $synthesis -json $name.netlist.json"
+    if (tool.run(directory, log, Seq("-p", script)) != 0) {
       throw FlowFault(s"yosys failed on $name.v: ${Tool.faults(directory.resolve(log))} (${directory.resolve(log)})")
     }
     val dead = deadMultipliers(ujson.read(Files.readString(directory.resolve(s"$name.netlist.json"))))

@@ -1,0 +1,36 @@
+package frustum.boards
+
+/** A device the flow can build for. */
+sealed abstract class Part(val name: String, val packageName: String) {
+
+  /** What a report counts, and which of nextpnr's kinds of cells make each figure. */
+  def figures: Seq[(String, Seq[String])]
+
+  /** How the file for the board ends. */
+  def bitstream: String
+}
+object Part {
+
+  /** Lattice iCE40UP5K-SG48: 5,280 logic cells, 30 EBR of 4 kbit, 4 SPRAM of 256 kbit, 8 SB_MAC16. */
+  case object Ice40Up5k extends Part("iCE40UP5K", "sg48") {
+    val figures = Seq(
+      "logicCells" -> Seq("ICESTORM_LC"),
+      "ebr"        -> Seq("ICESTORM_RAM"),
+      "spram"      -> Seq("ICESTORM_SPRAM"),
+      "dsp"        -> Seq("ICESTORM_DSP")
+    )
+    val bitstream = "bin"
+  }
+
+  /** Xilinx XC7A35T-1CSG324: 20,800 LUT, 41,600 flip-flops, 50 block RAMs of 36 kbit, 90 DSP48E1. */
+  case object Artix7A35 extends Part("XC7A35T", "xc7a35tcsg324-1") {
+    val figures = Seq(
+      "luts"   -> Seq("SLICE_LUTX"),
+      "ffs"    -> Seq("SLICE_FFX"),
+      "bram18" -> Seq("RAMB18E1_RAMB18E1"),
+      "bram36" -> Seq("RAMB36E1_RAMB36E1", "RAMBFIFO36E1_RAMBFIFO36E1"),
+      "dsp48"  -> Seq("DSP48E1_DSP48E1")
+    )
+    val bitstream = "fasm"
+  }
+}

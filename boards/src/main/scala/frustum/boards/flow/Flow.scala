@@ -1,0 +1,59 @@
+package frustum.boards.flow
+
+import frustum.boards.BoardTop
+import java.nio.file.{Files, Path, StandardCopyOption}
+
+/** From a top to what its board loads: elaborate, synthesise, place with each seed. A part's own flow tells how. */
+abstract class Flow {
+  protected def yosys: Tool
+  protected def nextpnr: Tool
+
+  /** The programs and their versions. */
+  protected def engine: String
+
+  /** Yosys' pass for the part, with its options. */
+  protected def synthesis: String
+
+  /** Writes the pins, and a frequency for every clock that nextpnr takes one for, beside the netlist. */
+  protected def writeConstraints(work: Path, top: BoardTop): Unit
+
+  /** nextpnr's arguments for the part, its constraints and what it writes as `<run>.*`. */
+  protected def placement(top: BoardTop, run: String): Seq[String]
+
+  /** A second opinion on a placement's timing, in MHz. */
+  protected def secondOpinion(work: Path, top: BoardTop, seed: Int): Option[Double] = None
+
+  /** Makes the file for the board of a placement's and gives its place. */
+  protected def pack(work: Path, top: BoardTop, seed: Int): Path
+
+  /** Builds in `directory/<name>.build` and leaves the file for the board of the best seed beside it when the design
+    * fits.
+    *
+    * @param say told of each step as it ends
+    */
+  final def run(top: BoardTop, seeds: Seq[Int], directory: Path, say: String => Unit): BitstreamReport = {
+    val work = directory.resolve(s"${top.name}.build")
+    Files.createDirectories(work)
+    work.toFile.listFiles.filter(_.isFile).foreach(_.delete())
+    val module = top.writeVerilog(work.toString)
+    say(s"elaborated $module into $work/${top.name}.v")
+    Yosys.synthesise(yosys, work, top.name, s"$synthesis -top $module")
+    say(s"synthesised with yosys ${yosys.version}")
+    writeConstraints(work, top)
+    val results = seeds.zipWithIndex.map { case (seed, i) =>
+      val placed = Nextpnr.place(nextpnr, work, top, seed, placement(top, s"${top.name}.$seed"))
+      val second = if (placed.fits) secondOpinion(work, top, seed) else None
+      val told   = placed.summary +: second.map(mhz => f"icetime $mhz%.2f MHz").toSeq
+      say(s"seed $seed (${i + 1} of ${seeds.length}): ${told.mkString(", ")}")
+      (placed, second)
+    }
+    val report = BitstreamReport(top, engine, results.map(_._1), results.flatMap(_._2))
+    if (report.fits)
+      Files.move(
+        pack(work, top, report.bestSeed),
+        directory.resolve(s"${top.name}.${top.part.bitstream}"),
+        StandardCopyOption.REPLACE_EXISTING
+      )
+    report
+  }
+}
