@@ -19,7 +19,8 @@ case class Artix7ClockDivider(tech: Tech) extends Component {
       val buffer = Artix7GlobalBuffer()
       buffer.io.I := fast.count.msb
       io.clockOut := buffer.io.O
-    case _ => io.clockOut := io.clockIn
+    case Tech.Generic => io.clockOut := io.clockIn
+    case Tech.Ice40   => SpinalError("Artix7ClockDivider: an iCE40 has no BUFG; use Ice40Pll")
   }
 }
 

@@ -3,7 +3,7 @@ package frustum.blackbox
 import spinal.core._
 
 /** The clock at a pin, inverted, so that its rising edge falls into the middle of what registers put beside it: by the
-  * pad's double data rate registers on an iCE40; with [[Tech.Generic]] plain logic.
+  * pad's double data rate registers on an iCE40; elsewhere plain logic.
   */
 case class ClockOutput(tech: Tech) extends Component {
   val io  = new Bundle { val pin = out Bool () }
@@ -15,7 +15,7 @@ case class ClockOutput(tech: Tech) extends Component {
       cell.io.DOUT0      := False
       cell.io.DOUT1      := True
       io.pin             := cell.io.PACKAGEPIN
-    case _ => io.pin := !now
+    case _: Tech.Inferred => io.pin := !now
   }
 }
 

@@ -13,7 +13,7 @@ case class ComplementingAdder(width: Int, tech: Tech) extends Component {
   }
 
   tech match {
-    case Tech.Generic | Tech.Artix7 => io.result := (io.a + io.b) ^ S(width bits, default -> io.complement)
+    case _: Tech.Inferred => io.result := (io.a + io.b) ^ S(width bits, default -> io.complement)
     case Tech.Ice40 =>
       io.result := LogicCell.chain(width, LogicCell(ComplementingAdder.Parity), io.complement, io.a, io.b).asSInt
   }

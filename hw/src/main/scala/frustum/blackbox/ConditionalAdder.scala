@@ -14,7 +14,7 @@ case class ConditionalAdder(width: Int, tech: Tech) extends Component {
   }
 
   tech match {
-    case Tech.Generic | Tech.Artix7 => io.result := Mux(io.condition, io.a + io.b, io.a)
+    case _: Tech.Inferred => io.result := Mux(io.condition, io.a + io.b, io.a)
     case Tech.Ice40 =>
       io.result := LogicCell.chain(width, LogicCell.sumOrFirst, io.condition, io.a, io.b).asUInt
   }

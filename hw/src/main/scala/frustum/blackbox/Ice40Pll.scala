@@ -15,7 +15,6 @@ case class Ice40Pll(settings: Ice40PllSettings, tech: Tech) extends Component {
     val clockOut = out Bool ()
     val locked   = out Bool ()
   }
-  require(tech != Tech.Artix7, "Ice40Pll: an Artix-7 has no such PLL")
   tech match {
     case Tech.Ice40 =>
       val cell = PllPad(settings)
@@ -24,7 +23,8 @@ case class Ice40Pll(settings: Ice40PllSettings, tech: Tech) extends Component {
       cell.io.BYPASS     := False
       io.clockOut        := cell.io.PLLOUTGLOBAL
       io.locked          := cell.io.LOCK
-    case _ =>
+    case Tech.Artix7  => SpinalError("Ice40Pll: an Artix-7 has no such PLL; use Artix7ClockDivider")
+    case Tech.Generic =>
       io.clockOut := io.clockIn
       val start = new ClockingArea(ClockDomain(io.clockIn, config = ClockDomainConfig(resetKind = BOOT))) {
         val clocks = Reg(UInt(3 bits)) init 0

@@ -41,7 +41,7 @@ case class SinglePortRam(words: Int, width: Int, tech: Tech) extends Component {
         if (blocks == 1) outputs.head else Vec(outputs)(selected.resized)
       }
       io.readData := Cat(lanes)
-    case _ =>
+    case _: Tech.Inferred =>
       val ram = Mem(Bits(width bits), words)
       io.readData := ram.readWriteSync(
         io.address, io.writeData, io.enable, io.write, mask = io.mask, readUnderWrite = dontCare

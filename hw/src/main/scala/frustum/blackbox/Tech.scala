@@ -1,10 +1,18 @@
 package frustum.blackbox
 
-/** What primitives a unit may instantiate. `Generic` infers everything and is what simulations run;
-  * `Artix7` infers all but clock buffers. */
+/** What primitives a unit may instantiate. */
 sealed trait Tech
 object Tech {
-  case object Generic extends Tech
-  case object Ice40   extends Tech
-  case object Artix7  extends Tech
+
+  /** Memories, adders and multipliers are left to the tools to infer. */
+  sealed trait Inferred extends Tech
+
+  /** Nothing of a vendor's: what simulations run. */
+  case object Generic extends Inferred
+
+  /** Clock buffers of the Artix-7. */
+  case object Artix7 extends Inferred
+
+  /** Cells of the iCE40 UltraPlus. */
+  case object Ice40 extends Tech
 }

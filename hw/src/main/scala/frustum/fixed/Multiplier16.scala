@@ -62,7 +62,7 @@ case class Multiplier16(
       mac.io.ADDSUBTOP := Bool(subtract)
       mac.io.ADDSUBBOT := Bool(subtract)
       io.product := mac.io.O
-    case _ =>
+    case _: Tech.Inferred =>
       def extended(v: Bits, signed: Boolean) = if (signed) v.asSInt.resize(17) else v.asUInt.resize(17).asSInt
       val a = RegNextWhen(io.a, io.enable && !holdA)
       val b = RegNextWhen(io.b, io.enable)

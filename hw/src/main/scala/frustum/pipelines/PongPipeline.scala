@@ -8,7 +8,10 @@ import frustum.spec._
 import spinal.core._
 import spinal.lib._
 
-/** @param scene one sphere, the puck, and one quad, the paddle, as [[PongScene.room]] has them */
+/** What pong draws, and where to.
+  *
+  * @param scene one sphere, the puck, and one quad, the paddle, as [[PongScene.room]] has them
+  */
 case class PongPipelineConfig(
     mode: VideoMode = VideoMode.Vga640x480,
     format: ColorFormat = ColorFormat.Rgb444,
@@ -47,12 +50,11 @@ case class PongPipeline(config: PongPipelineConfig) extends Component {
   game.io.buttons.assignFromBits(buttons.io.held)
 
   val ray = RayPipeline(RayConfig(scene, mode))
-  private val rayEnd = PongGame.TickClocks + 2
-  ray.io.latch    := Delay(scanner.io.frameEnd, rayEnd, init = False)
+  private val ticked = PongGame.TickClocks + 2 // clocks until a tick that `frameEnd` starts is done
+  ray.io.latch    := Delay(scanner.io.frameEnd, ticked, init = False)
   ray.io.line     := scanner.io.line
   ray.io.up.valid := scanner.io.active
-  for ((p, a) <- Seq(ray.io.motion.spheres(0).x, ray.io.motion.spheres(0).y, ray.io.motion.spheres(0).z).zipWithIndex)
-    p := game.io.puck(a)
+  for (a <- 0 to 2) ray.io.motion.spheres(0)(a) := game.io.puck(a)
   ray.io.motion.quads(0).x := game.io.paddleX
   ray.io.motion.quads(0).y := game.io.paddleY
   ray.io.motion.quads(0).z := scene.quads(0).low.z
@@ -70,14 +72,13 @@ case class PongPipeline(config: PongPipelineConfig) extends Component {
   val latencyClocks: Int = ray.latency + 1
   require(latencyClocks < PixelScanner.Tail, s"latency $latencyClocks, at most ${PixelScanner.Tail - 1}")
   require(ray.latency >= TextOverlay.Latency, s"the ray caster's ${ray.latency} clocks are fewer than the text's")
-  private def late[T <: Data](that: T)      = Delay(that, ray.latency)
-  private def lateText(that: Bool)          = Delay(that, ray.latency - TextOverlay.Latency)
-  private val cell                          = lateText(overlay.io.cell)
-  private val dot                           = lateText(overlay.io.dot)
+  private def lateText(that: Bool) = Delay(that, ray.latency - TextOverlay.Latency)
+  private val cell                 = lateText(overlay.io.cell)
+  private val dot                  = lateText(overlay.io.dot)
 
   val dither = OrderedDither(format)
-  dither.io.x := late(scanner.io.x(1 downto 0))
-  dither.io.y := late(scanner.io.y(1 downto 0))
+  dither.io.x := Delay(scanner.io.x(1 downto 0), ray.latency)
+  dither.io.y := Delay(scanner.io.y(1 downto 0), ray.latency)
   private def written(c: UInt) = Mux(dot, U(255, 8 bits), Mux(cell, c |>> 1, c))
   dither.io.rgb.r := written(ray.io.down.rgb.r)
   dither.io.rgb.g := written(ray.io.down.rgb.g)

@@ -1,8 +1,9 @@
 package frustum.spec
 
-/** Rules of 3-D pong, in the units of [[PongScene]] and in ticks, every second frame. */
+/** Rules of 3-D pong, in the units of [[PongScene]] and in ticks, one in `FramesPerTick` frames. */
 object PongRules {
-  val PuckStart = IntVector(0, 0, 320)
+  val PuckRadius = 20
+  val PuckStart  = IntVector(0, 0, 320)
 
   /** The puck's centre stays between these on each axis; at the far end of z is the paddle's wall. */
   val PuckLow  = IntVector(-300, -220, 20)
@@ -16,7 +17,7 @@ object PongRules {
   val PaddleX    = 270
   val PaddleY    = 190
 
-  /** Caught when the puck's centre is less than this from the paddle's on both axes. */
+  /** Half of the paddle's size: caught when the puck's centre is less than this from the paddle's on both axes. */
   val Reach    = 50
   val WinScore = 63
   require(StartSpeed + WinScore < (1 << SpeedBits), s"z speed $StartSpeed + $WinScore exceeds $SpeedBits bits")

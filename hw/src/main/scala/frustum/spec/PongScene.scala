@@ -1,7 +1,8 @@
 package frustum.spec
 
-/** The room of 3-D pong: puck, paddle, walls and light. */
+/** The room of 3-D pong: puck and paddle, which go where [[PongRules]] let them, walls and light. */
 object PongScene {
+  import PongRules._
   val Eye   = IntVector(0, 0, -320)
   val Light = IntVector(-120, 200, 160)
 
@@ -11,8 +12,8 @@ object PongScene {
   def room(width: Int = 640, height: Int = 480, pixel: Int = 1, centred: Boolean = true): RayScene = RayScene(
     RayCamera.forward(Eye, width, height, 320, pixel, centred),
     RayRoom(IntVector(-320, -240, 0), IntVector(320, 240, 640), 6),
-    Seq(RaySphere(IntVector(-300, -220, 20), IntVector(300, 220, 620), 20, 0xff0000)),
-    Seq(RayQuad(IntVector(-270, -190, 640), IntVector(270, 190, 640), 50, 0xffffff)),
+    Seq(RaySphere(PuckLow, PuckHigh, PuckRadius, 0xff0000)),
+    Seq(RayQuad(IntVector(-PaddleX, -PaddleY, 640), IntVector(PaddleX, PaddleY, 640), Reach, 0xffffff)),
     Some(Light),
     0xffff00
   )

@@ -102,11 +102,8 @@ object RayProgram {
         )
     }
     for ((p, q) <- Wall.pairs if p.sign > 0 && q.sign > 0) {
-      val (n, m) = (scale(direction(p.axis), b.constant(p.sign)), scale(direction(q.axis), b.constant(q.sign)))
-      want(
-        s"before${p.index}_${q.index}",
-        subtract(scale(n, b.constant(q.distance(scene))), scale(m, b.constant(p.distance(scene))))
-      )
+      def times(from: Wall, to: Wall) = scale(direction(from.axis), b.constant(to.distance(scene)))
+      want(s"before${p.index}_${q.index}", subtract(times(p, q), times(q, p)))
     }
     for ((q, i) <- quads.zipWithIndex; u <- 0 to 1) {
       val wall   = Wall.back

@@ -73,7 +73,7 @@ final case class PongGame(
   /** Where puck and paddle are, for the ray caster of [[frustum.spec.PongScene]]. */
   def motion: RayMotion = RayMotion(
     Seq(IntVector(puck(0).position, puck(1).position, puck(2).position)),
-    Seq(IntVector(paddleX, paddleY, PuckHigh.z + 20))
+    Seq(IntVector(paddleX, paddleY, PuckHigh.z + PuckRadius))
   )
 }
 
