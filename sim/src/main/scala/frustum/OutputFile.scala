@@ -8,8 +8,8 @@ import java.nio.file.{Files, Path, StandardCopyOption}
   */
 object OutputFile {
 
-  /** @param body writes the file it is given */
-  def write(file: Path)(body: Path => Unit): Unit = {
+  /** @param body writes the file it is given; its result is that of the whole */
+  def write[A](file: Path)(body: Path => A): A = {
     val folder = file.toAbsolutePath.getParent
     val part   =
       try {
@@ -21,9 +21,10 @@ object OutputFile {
           throw InputError(s"$file cannot be written (${reason(e)}): name a file in a writable folder")
       }
     try {
-      body(part)
+      val result = body(part)
       part.toFile.setReadable(true, false)
       Files.move(part, file.toAbsolutePath, StandardCopyOption.REPLACE_EXISTING)
+      result
     } finally Files.deleteIfExists(part)
   }
 

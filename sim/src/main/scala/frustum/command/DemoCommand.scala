@@ -55,21 +55,13 @@ object DemoCommand extends CommandLine {
       OutputFile.writeText(o.out.resolve(s"$sceneName.json"), ujson.write(report, indent = 2) + "\n")
       (figures, report)
     }
-    val pong    = Option.when(o.engine == Engines.names.head)(pongScene(o))
+    // Pong has no other engine.
+    val pong    = Option.when(Engines.byName(o.engine).atPins)(PongDemo(o.out, o.seed))
     val reports = shown.map(_._2) ++ pong.map(_._1)
     OutputFile.writeText(o.out.resolve("index.html"), DemoPage(o.out, reports))
     println(DemoTable(reports))
     println(s"wrote ${o.out.resolve("index.html")}")
     (shown.map { case (f, _) => f.verdict(o.out.resolve(s"${f.scene}.json")) } ++ pong.map(_._2)).max
-  }
-
-  /** Report and exit code of pong, which has no other engine than the hardware. */
-  private def pongScene(o: DemoOptions): (ujson.Obj, Int) = {
-    val (report, failures) = PongDemo(o.out, o.seed)
-    val file               = o.out.resolve("pong.json")
-    OutputFile.writeText(file, ujson.write(report, indent = 2) + "\n")
-    failures.foreach(f => Console.err.println(s"error: pong: $f; see $file"))
-    (report, if (failures.isEmpty) 0 else 1)
   }
 
   private def writePictures(out: Path, scene: String, config: RasterConfig, v: FrameVerdict): Unit =

@@ -7,7 +7,8 @@ import scala.util.control.NonFatal
   * quoted as for a shell, which is how the launcher hands on what it was given.
   */
 object Main {
-  val commands: Seq[CommandLine] = Seq(DemoCommand, RenderCommand, VerilogCommand, BitstreamCommand, BenchCommand, PongCommand, PlayCommand)
+  val commands: Seq[CommandLine] =
+    Seq(DemoCommand, RenderCommand, VerilogCommand, BitstreamCommand, BenchCommand, PongCommand, PlayCommand)
 
   def main(args: Array[String]): Unit = sys.exit(run(args.toSeq))
 

@@ -1,11 +1,9 @@
 package frustum.command
 
-import frustum.engine.PongRun
+import frustum.InputError
 import frustum.game.{AutoPlayer, ButtonFile}
-import frustum.judge.PongJudge
 import frustum.model.game.{PongButtons, PongGame}
-import frustum.picture.{AnimatedGif, Picture}
-import frustum.{InputError, OutputFile}
+import frustum.picture.Picture
 import java.nio.file.{Files, Path}
 
 /** `pong`: a game on the simulated board, each frame judged, as PNG files and one animated GIF. */
@@ -16,41 +14,20 @@ object PongCommand extends CommandLine {
   def run(args: Seq[String]): Int =
     Arguments.parse(name, PongOptions.parser, args, PongOptions()).map(PongOptions.check).fold(0)(pong)
 
-  /** A tick is two frames, a thirtieth of a second: hundredths that add up to it. */
-  def delays: Iterator[Int] = Iterator.continually(Seq(3, 3, 4)).flatten
-
   private def pong(o: PongOptions): Int = {
     val config = PongScenes.config(o.mode, o.scene)
     val player = players(o)
     prepare(o.out)
     println(s"pong: ${o.mode.name}, ${o.frames} frames")
-    val judge    = new PongJudge(config)
-    val run      = new PongRun(config, player, o.seed)
-    val started  = System.nanoTime
-    val progress = Progress(name, o.frames)
-    val measures =
-      try {
-        var measured = Option.empty[frustum.engine.PongMeasures]
-        AnimatedGif.write(o.out.resolve("pong.gif"), o.mode.width, o.mode.height) { gif =>
-          val times = delays
-          measured = Some(run.play(o.frames) { frame =>
-            val picture = Picture.ofFormat(frame.atPins, config.format)
-            Picture.writePng(o.out.resolve(f"frame-${frame.index}%04d.png"), o.mode.width, o.mode.height, picture)
-            if (frame.index % 2 == 0) gif.add(picture, times.next())
-            judge.add(frame)
-            progress.step()
-          })
-        }
-        measured.get
-      } finally progress.close()
-    val figures = judge.figures()
-    val report  = PongReport.json(name, o.seed, config, measures, figures, (System.nanoTime - started) / 1e9)
-    OutputFile.writeText(o.reportFile, ujson.write(report, indent = 2) + "\n")
+    val recording = PongRecording(config, player, o.seed, o.frames, o.out.resolve("pong.gif")) {
+      (frame, picture) =>
+        Picture.writePng(o.out.resolve(f"frame-${frame.index}%04d.png"), o.mode.width, o.mode.height, picture)
+    }
+    val report = PongReport.json(name, o.seed, config, recording)
     println(PongTable(report))
+    val code = PongReport.write(o.reportFile, report, recording)
     println(s"wrote ${o.out.resolve("pong.gif")} and ${o.reportFile}")
-    val failures = PongReport.failures(measures, figures)
-    failures.foreach(f => Console.err.println(s"error: pong: $f; see ${o.reportFile}"))
-    if (failures.isEmpty) 0 else 1
+    code
   }
 
   private def players(o: PongOptions): PongGame => PongButtons = o.input match {
@@ -65,8 +42,12 @@ object PongCommand extends CommandLine {
     try Files.createDirectories(out)
     catch {
       case e: java.io.IOException =>
-        throw InputError(s"--out $out cannot be made (${e.getClass.getSimpleName}): name a folder that can be written")
+        throw InputError(
+          s"--out $out cannot be made (${e.getClass.getSimpleName}): name a folder that can be written"
+        )
     }
-    Option(out.toFile.listFiles).toSeq.flatten.filter(_.getName.matches("frame-\\d{4,}\\.png")).foreach(_.delete())
+    Option(
+      out.toFile.listFiles
+    ).toSeq.flatten.filter(_.getName.matches("frame-\\d{4,}\\.png")).foreach(_.delete())
   }
 }

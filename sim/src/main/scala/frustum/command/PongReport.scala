@@ -1,13 +1,13 @@
 package frustum.command
 
-import frustum.BuildInfo
-import frustum.engine.PongMeasures
-import frustum.judge.PongFigures
+import frustum.{BuildInfo, OutputFile}
 import frustum.pipelines.PongPipelineConfig
+import java.nio.file.Path
 
 /** The JSON report of `pong`, and of pong in `demo`. */
 object PongReport {
-  def json(command: String, seed: Long, c: PongPipelineConfig, m: PongMeasures, f: PongFigures, seconds: Double): ujson.Obj =
+  def json(command: String, seed: Long, c: PongPipelineConfig, recording: PongRecording): ujson.Obj = {
+    val (m, f) = (recording.measures, recording.figures.rays)
     ujson.Obj(
       "command"               -> command,
       "version"               -> BuildInfo.version,
@@ -32,16 +32,25 @@ object PongReport {
       "psnr"                  -> f.psnr.fold[ujson.Value](ujson.Null)(ujson.Num(_)),
       "score"                 -> m.score,
       "win"                   -> m.win,
-      "hardwareVsModel"       -> ujson.Obj("pixelsDifferent" -> f.pixelsDifferent.toDouble),
+      "hardwareVsModel"       -> ujson.Obj("pixelsDifferent" -> recording.figures.pixelsDifferent.toDouble),
       "sync"                  -> ujson.Obj.from(m.sync.map { s =>
-        s.name -> ujson.Obj("clocks" -> s.last.toDouble, "measured" -> s.measured.toDouble, "wrong" -> s.wrong.toDouble)
+        s.name -> ujson.Obj(
+          "clocks"   -> s.last.toDouble,
+          "measured" -> s.measured.toDouble,
+          "wrong"    -> s.wrong.toDouble
+        )
       }),
-      "engineSeconds" -> seconds
+      "engineSeconds" -> recording.seconds
     )
+  }
 
-  /** What must be zero and is not. */
-  def failures(m: PongMeasures, f: PongFigures): Seq[String] =
-    (if (m.syncErrors > 0)
-       Seq(m.sync.filter(_.wrong > 0).map(s => s"${s.name} ${s.wrong} times").mkString("sync is wrong: ", ", ", ""))
-     else Nil) ++ f.failures
+  /** Writes the report and says what must be zero and is not; gives the exit code. */
+  def write(file: Path, report: ujson.Obj, recording: PongRecording): Int = {
+    OutputFile.writeText(file, ujson.write(report, indent = 2) + "\n")
+    val wrong    = recording.measures.sync.filter(_.wrong > 0).map(s => s"${s.name} ${s.wrong} times")
+    val sync     = Option.when(recording.measures.syncErrors > 0)(wrong.mkString("sync is wrong: ", ", ", ""))
+    val failures = sync ++ recording.figures.failures
+    failures.foreach(f => Console.err.println(s"error: pong: $f; see $file"))
+    if (failures.isEmpty) 0 else 1
+  }
 }

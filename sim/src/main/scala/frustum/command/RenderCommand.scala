@@ -20,7 +20,7 @@ object RenderCommand extends CommandLine {
     val entry = Engines.byName(o.engine)
     if (o.wave.isDefined && !entry.simulated)
       throw InputError(s"--wave: the engine ${entry.name} has no signals; use --engine hardware or pipeline")
-    if (o.panel.isDefined && entry.name != "hardware")
+    if (o.panel.isDefined && !entry.atPins)
       throw InputError(s"--panel: the engine ${entry.name} has no display; use --engine hardware")
     val config = configOf(o)
     val scene  = sceneOf(o)

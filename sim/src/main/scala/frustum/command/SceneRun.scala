@@ -37,7 +37,7 @@ final case class SceneRun(
     println(
       s"${scene.name}: ${prepared.head.trianglesDrawn} triangles, " +
         s"${config.width} x ${config.height}, engine ${entry.name}" +
-        (if (entry.name == "hardware") s", display ${engineOptions.panel.name}" else "")
+        (if (entry.atPins) s", display ${engineOptions.panel.name}" else "")
     )
     val started  = System.nanoTime
     val rendered = entry.make(engineOptions).render(prepared)

@@ -7,8 +7,9 @@ import frustum.spec.RasterConfig
 /** An engine by name.
   *
   * @param simulated drives hardware: has clocks, may write a waveform, is held against the model
+  * @param atPins    drives a board's top, with a display
   */
-final case class EngineEntry(name: String, simulated: Boolean, make: EngineOptions => Engine)
+final case class EngineEntry(name: String, simulated: Boolean, make: EngineOptions => Engine, atPins: Boolean = false)
 
 /** The engines there are, and the model that the judges run beside them. */
 object Engines {
@@ -17,7 +18,7 @@ object Engines {
   val names: Seq[String] = Seq("hardware", "pipeline", "model", "reference")
 
   val table: Seq[EngineEntry] = Seq(
-    EngineEntry("hardware", simulated = true, new HardwareEngine(_)),
+    EngineEntry("hardware", simulated = true, new HardwareEngine(_), atPins = true),
     EngineEntry("pipeline", simulated = true, new PipelineEngine(_)),
     EngineEntry("model", simulated = false, _ => new PassEngine(new RasterModel(_))),
     EngineEntry("reference", simulated = false, _ => new PassEngine(new ReferenceRenderer(_)))

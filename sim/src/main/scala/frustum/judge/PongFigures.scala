@@ -1,61 +1,24 @@
 package frustum.judge
 
-/** What was found on frames of pong: faults are sums over frames, the colour error is the greatest of all.
+/** What was found on frames of pong.
   *
-  * @param squaredError      of the picture before it is reduced to the format at the pins
-  * @param pixelsDifferent   at the pins, against the bit-exact model
+  * @param pixelsDifferent at the pins, against the bit-exact model
+  * @param rays            of the model's picture, before text and before it is reduced to the format at the pins
   */
-final case class PongFigures(
-    frames: Int = 0,
-    pixels: Long = 0,
-    silhouettePixelsWrong: Long = 0,
-    shadowPixelsWrong: Long = 0,
-    objectPixelsWrong: Long = 0,
-    checkerCellsWrong: Long = 0,
-    maxColourError: Double = 0,
-    colourErrorsOver1: Long = 0,
-    squaredError: Double = 0,
-    pixelsDifferent: Long = 0
-) {
-  def +(o: PongFigures): PongFigures = PongFigures(
-    frames + o.frames,
-    pixels + o.pixels,
-    silhouettePixelsWrong + o.silhouettePixelsWrong,
-    shadowPixelsWrong + o.shadowPixelsWrong,
-    objectPixelsWrong + o.objectPixelsWrong,
-    checkerCellsWrong + o.checkerCellsWrong,
-    maxColourError.max(o.maxColourError),
-    colourErrorsOver1 + o.colourErrorsOver1,
-    squaredError + o.squaredError,
-    pixelsDifferent + o.pixelsDifferent
-  )
-
-  /** Decibels; None when every colour is the reference's. */
-  def psnr: Option[Double] = Psnr.of(squaredError, pixels)
+final case class PongFigures(frames: Int, pixelsDifferent: Long, rays: RayCounts) {
+  def +(o: PongFigures): PongFigures =
+    PongFigures(frames + o.frames, pixelsDifferent + o.pixelsDifferent, rays + o.rays)
 
   /** What must be zero and is not. */
   def failures: Seq[String] = Seq(
-    pixelsDifferent       -> "pixels differ from the model's",
-    silhouettePixelsWrong -> "pixels of silhouettes are wrong",
-    shadowPixelsWrong     -> "pixels of shadows are wrong",
-    objectPixelsWrong     -> "pixels show the wrong object",
-    checkerCellsWrong     -> "pixels show the wrong checker cell"
+    pixelsDifferent            -> "pixels differ from the model's",
+    rays.silhouettePixelsWrong -> "pixels of silhouettes are wrong",
+    rays.shadowPixelsWrong     -> "pixels of shadows are wrong",
+    rays.objectPixelsWrong     -> "pixels show the wrong object",
+    rays.checkerCellsWrong     -> "pixels show the wrong checker cell"
   ).collect { case (n, what) if n > 0 => s"$n $what" }
 }
 
 object PongFigures {
-
-  /** Of one frame. */
-  def apply(c: RayCounts, pixels: Int, pixelsDifferent: Int): PongFigures = PongFigures(
-    1,
-    pixels,
-    c.silhouettePixelsWrong,
-    c.shadowPixelsWrong,
-    c.objectPixelsWrong,
-    c.checkerCellsWrong,
-    c.maxColourError,
-    c.colourErrorsOver1,
-    c.psnr.fold(0.0)(db => 255.0 * 255 * 3 * pixels / scala.math.pow(10, db / 10)),
-    pixelsDifferent
-  )
+  val none: PongFigures = PongFigures(0, 0, RayCounts.none)
 }

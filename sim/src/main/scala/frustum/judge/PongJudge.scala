@@ -25,7 +25,7 @@ final class PongJudge(config: PongPipelineConfig) {
   private case class Expected(atPins: Array[Int], counts: RayCounts)
   private var last    = Option.empty[(PongGame, Future[Expected])]
   private var pending = Vector.empty[Future[PongFigures]]
-  private var sum     = PongFigures()
+  private var sum     = PongFigures.none
 
   private def expect(game: PongGame): Future[Expected] = last.filter(_._1 == game).map(_._2).getOrElse {
     val made = Future {
@@ -39,8 +39,7 @@ final class PongJudge(config: PongPipelineConfig) {
 
   def add(frame: PongFrame): Unit = {
     pending :+= expect(frame.game).map { e =>
-      val different = e.atPins.indices.count(i => e.atPins(i) != frame.atPins(i))
-      PongFigures(e.counts, e.atPins.length, different)
+      PongFigures(1, e.atPins.indices.count(i => e.atPins(i) != frame.atPins(i)), e.counts)
     }
     // So that no more than a few pictures are kept.
     while (pending.size > PongJudge.Ahead) take()

@@ -3,17 +3,6 @@ package frustum.judge
 import frustum.reference.ray.ExactRay
 import frustum.spec.{RayMotion, RayScene}
 
-/** Differences of a frame from the exact picture; a pixel is seen as an object and a colour. */
-case class RayCounts(
-    silhouettePixelsWrong: Int,
-    shadowPixelsWrong: Int,
-    objectPixelsWrong: Int,
-    checkerCellsWrong: Int,
-    maxColourError: Double,
-    colourErrorsOver1: Int,
-    psnr: Option[Double]
-)
-
 /** Judges frames of a ray caster, given as object ids and 0xRRGGBB, against exact arithmetic. Cells and shadows
   * are read from the colours: a component above 191 of a lit cell, above 63 of any.
   */
@@ -48,6 +37,6 @@ class RayJudge(scene: RayScene, width: Int, height: Int) {
       most = most.max(error)
       if (error > 1) over += 1
     }
-    RayCounts(silhouette, shadow, wrong, cells, most, over, Psnr.of(rgb, want))
+    RayCounts(rgb.length, silhouette, shadow, wrong, cells, most, over, Psnr.squaredError(rgb, want))
   }
 }

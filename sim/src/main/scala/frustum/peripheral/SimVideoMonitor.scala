@@ -11,8 +11,8 @@ case class MonitorPins(colorBits: Int) extends Bundle {
 }
 
 /** A monitor as simulated hardware, so that the JVM has no work during a frame. It knows the mode's nominal
-  * numbers, locks at the first vertical pulse that comes with or after a horizontal one, places pixels by counting from the pulses, and from
-  * then on measures each width, porch and total to the clock; see [[SimVideoReader]].
+  * numbers, locks at the first vertical pulse that comes with or after a horizontal one, places pixels by counting
+  * from the pulses, and from then on measures each width, porch and total to the clock; see [[SimVideoReader]].
   *
   * A frame ends where the next vertical pulse starts; frames lie in two memories in turn. The vertical pulse may
   * start at any clock from the start of a horizontal one to the line's first pixel, but always at the same.
@@ -21,7 +21,7 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
   import SimVideoMonitor.Lanes
   private val pixels = mode.width * mode.height
   require(pixels % Lanes == 0, s"${mode.width} x ${mode.height} pixels, not a multiple of $Lanes")
-  val io = new Bundle {
+  val io             = new Bundle {
     val pins   = in(MonitorPins(colorBits))
     val frames = out(UInt(32 bits)).simPublic() // complete ones
     val errors = out(UInt(32 bits)).simPublic()
@@ -37,8 +37,9 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
   /** From the pulses to the first pixel, column and line, counted from the start of the horizontal pulse. */
   private val (left, top) = (mode.hSync + mode.hBack, mode.vSync + mode.vBack)
   val counting            = RegInit(False) setWhen hStart
-  val locked              = RegInit(False) setWhen (vStart && (counting || hStart))
-  val lock                = locked || vStart && (counting || hStart)
+  private val locks       = vStart && (counting || hStart)
+  val locked              = RegInit(False) setWhen locks
+  val lock                = locked || locks
 
   /** Clocks since the horizontal pulse, lines since the one that the vertical pulse is in. */
   val sinceH, sinceV = Reg(UInt(16 bits)) init 0
@@ -51,18 +52,24 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
   when(vStart)(row := 0)
   sinceH := column + 1
   sinceV := row
-  val visible = locked && column >= left && column < left + mode.width && row >= top && row < top + mode.height
+  val visible =
+    locked && column >= left && column < left + mode.width && row >= top && row < top + mode.height
 
   /** Where in its line the vertical pulse starts: the first one decides. */
-  val phase = RegNextWhen(column, vStart && !locked).init(0).simPublic()
-  val first = activeStart && row === top
+  val phase   = RegNextWhen(column, vStart && !locked).init(0).simPublic()
+  val first   = activeStart && row === top
   val lastEnd = activeEnd && row === top + mode.height - 1
 
   private def number(n: Int) = U(n, 32 bits)
   private val frame          = mode.vTotal * mode.hTotal
-  val hTotal = new SimInterval(hStart, hStart, lock, number(mode.hTotal))
-  val hSync  = new SimInterval(hStart, hEnd, lock, number(mode.hSync))
-  val hBack  = new SimInterval(hEnd, activeStart || hStart, lock && row >= top && row < top + mode.height, number(mode.hBack))
+  val hTotal                 = new SimInterval(hStart, hStart, lock, number(mode.hTotal))
+  val hSync                  = new SimInterval(hStart, hEnd, lock, number(mode.hSync))
+  val hBack                  = new SimInterval(
+    hEnd,
+    activeStart || hStart,
+    lock && row >= top && row < top + mode.height,
+    number(mode.hBack)
+  )
   val width  = new SimInterval(activeStart, activeEnd, lock, number(mode.width))
   val hFront = new SimInterval(activeEnd, hStart, lock, number(mode.hFront))
   val vTotal = new SimInterval(vStart, vStart, lock, number(frame))
@@ -78,10 +85,23 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
   val misplaced   = count(locked && io.pins.active =/= visible)
   val blankColour = count(lock && !io.pins.active && io.pins.color.orR)
   val phaseWrong  = count(vStart && lock && (column > left || locked && column =/= phase))
-  val intervals   = Seq(hTotal, hSync, hBack, width, hFront, vTotal, vSync, vBack, vFront)
-  io.errors := (intervals.map(_.wrong) ++ Seq(misplaced, blankColour, phaseWrong)).reduce(_ + _)
 
-  val frames  = count(vStart && locked)
+  /** What is measured, and what is only counted, by name. */
+  val intervals = Seq(
+    "hTotal" -> hTotal,
+    "hSync"  -> hSync,
+    "hBack"  -> hBack,
+    "width"  -> width,
+    "hFront" -> hFront,
+    "vTotal" -> vTotal,
+    "vSync"  -> vSync,
+    "vBack"  -> vBack,
+    "vFront" -> vFront
+  )
+  val counts = Seq("misplaced" -> misplaced, "blankColour" -> blankColour, "phase" -> phaseWrong)
+  io.errors := (intervals.map(_._2.wrong) ++ counts.map(_._2)).reduce(_ + _)
+
+  val frames = count(vStart && locked)
   io.frames := frames
   val memory  = Mem(Bits(Lanes * colorBits bits), 2 * pixels / Lanes).simPublic()
   val index   = Reg(UInt(log2Up(pixels) bits)) init 0

@@ -34,12 +34,8 @@ final class SimVideoReader(dut: SimVideoMonitor) {
     picture
   }
 
-  def measures: Seq[VideoMeasure] = {
-    val names = Seq("hTotal", "hSync", "hBack", "width", "hFront", "vTotal", "vSync", "vBack", "vFront")
-    names.zip(dut.intervals).map { case (name, i) =>
+  def measures: Seq[VideoMeasure] =
+    dut.intervals.map { case (name, i) =>
       VideoMeasure(name, i.last.toLong, i.measured.toLong, i.wrong.toLong, i.lastWrong.toLong)
-    } ++ Seq("misplaced" -> dut.misplaced, "blankColour" -> dut.blankColour, "phase" -> dut.phaseWrong).map {
-      case (name, n) => VideoMeasure(name, 0, 0, n.toLong, 0)
-    }
-  }
+    } ++ dut.counts.map { case (name, n) => VideoMeasure(name, 0, 0, n.toLong, 0) }
 }

@@ -38,7 +38,9 @@ final class AnimatedGif private (writer: ImageWriter, width: Int, height: Int) {
   }
 
   private def child(root: IIOMetadataNode, name: String): IIOMetadataNode =
-    (0 until root.getLength).map(root.item).collectFirst { case n: IIOMetadataNode if n.getNodeName == name => n }
+    (0 until root.getLength).map(root.item).collectFirst {
+      case n: IIOMetadataNode if n.getNodeName == name => n
+    }
       .getOrElse {
         val made = new IIOMetadataNode(name)
         root.appendChild(made)
@@ -49,17 +51,19 @@ final class AnimatedGif private (writer: ImageWriter, width: Int, height: Int) {
 object AnimatedGif {
 
   /** @param body adds the pictures; the file appears whole or not at all */
-  def write(file: Path, width: Int, height: Int)(body: AnimatedGif => Unit): Unit = OutputFile.write(file) { part =>
-    val writer = ImageIO.getImageWritersByFormatName("gif").next()
-    val stream = new FileImageOutputStream(part.toFile)
-    try {
-      writer.setOutput(stream)
-      writer.prepareWriteSequence(null)
-      body(new AnimatedGif(writer, width, height))
-      writer.endWriteSequence()
-    } finally {
-      stream.close()
-      writer.dispose()
+  def write[A](file: Path, width: Int, height: Int)(body: AnimatedGif => A): A =
+    OutputFile.write(file) { part =>
+      val writer = ImageIO.getImageWritersByFormatName("gif").next()
+      val stream = new FileImageOutputStream(part.toFile)
+      try {
+        writer.setOutput(stream)
+        writer.prepareWriteSequence(null)
+        val result = body(new AnimatedGif(writer, width, height))
+        writer.endWriteSequence()
+        result
+      } finally {
+        stream.close()
+        writer.dispose()
+      }
     }
-  }
 }

@@ -9,20 +9,17 @@ import frustum.spec.ColorFormat
 /** Pictures are 0xRRGGBB, row by row from the top left. */
 object Picture {
 
-  /** RGB565 to 0xRRGGBB, each component to the nearest of 0..255. */
-  def ofRgb565(image: Array[Int]): Array[Int] = image.map { c =>
-    def widen(v: Int, most: Int) = (v * 255 * 2 + most) / (2 * most)
-    widen(c >> 11 & 31, 31) << 16 | widen(c >> 5 & 63, 63) << 8 | widen(c & 31, 31)
-  }
+  /** RGB565 to 0xRRGGBB. */
+  def ofRgb565(image: Array[Int]): Array[Int] = ofFormat(image, ColorFormat.Rgb565)
 
-  /** Colours of any format, red in the highest bits, to 0xRRGGBB. */
+  /** Colours of any format, red in the highest bits, to 0xRRGGBB, each component to the nearest of 0..255. */
   def ofFormat(image: Array[Int], format: ColorFormat): Array[Int] = {
     val Seq(red, green, blue) = format.channels.map { bits =>
       val most = (1 << bits) - 1
       Array.tabulate(most + 1)(v => (v * 255 * 2 + most) / (2 * most))
     }
     image.map { c =>
-      red(c >> (format.green + format.blue)) << 16 |
+      red(c >> (format.green + format.blue) & (red.length - 1)) << 16 |
         green(c >> format.blue & (green.length - 1)) << 8 | blue(c & (blue.length - 1))
     }
   }

@@ -1,8 +1,8 @@
 package frustum.scene
 
-import frustum.InputError
+import frustum.{InputError, InputFile}
 import frustum.spec._
-import java.nio.file.{Files, NoSuchFileException, Path}
+import java.nio.file.Path
 import scala.util.control.NonFatal
 
 /** A ray-cast scene as JSON. Every key may be left out and is then that of `base`:
@@ -20,22 +20,22 @@ object RaySceneFile {
 
   /** @param width,height of the picture, for the camera */
   def read(file: Path, base: RayScene, width: Int, height: Int): RayScene = {
-    val text =
-      try Files.readString(file)
-      catch {
-        case _: NoSuchFileException => throw InputError(s"$file: there is no such file; check the name")
-        case NonFatal(e)            =>
-          throw InputError(s"$file: cannot be read (${e.getClass.getSimpleName}); give a JSON file in UTF-8")
-      }
+    val text = InputFile.text(file, "give a JSON file in UTF-8")
     val root =
       try ujson.read(text)
       catch {
         case e: ujson.ParseException =>
-          throw InputError(s"$file:${line(text, e.index)}: is not JSON: ${e.clue}; see docs/pong.md for the form")
-        case NonFatal(_) => throw InputError(s"$file:${line(text, text.length)}: is not JSON: it ends too early")
+          throw InputError(
+            s"$file:${line(text, e.index)}: is not JSON: ${e.clue}; see docs/pong.md for the form"
+          )
+        case NonFatal(_) =>
+          throw InputError(s"$file:${line(text, text.length)}: is not JSON: it ends too early")
       }
     try new Reader(file).scene(root, base, width, height)
-    catch { case e: IllegalArgumentException => throw InputError(s"$file: ${e.getMessage.stripPrefix("requirement failed: ")}") }
+    catch {
+      case e: IllegalArgumentException =>
+        throw InputError(s"$file: ${e.getMessage.stripPrefix("requirement failed: ")}")
+    }
   }
 
   private def line(text: String, index: Int) = text.take(index).count(_ == '\n') + 1
@@ -43,13 +43,15 @@ object RaySceneFile {
   private class Reader(file: Path) {
     private def refuse(path: String, what: String): Nothing = throw InputError(s"$file: $path: $what")
 
-    private def fields(v: ujson.Value, path: String, known: String*): collection.Map[String, ujson.Value] = v match {
-      case o: ujson.Obj =>
-        o.value.keys.find(!known.contains(_)).foreach(k =>
-          refuse(path, s"there is no key '$k'; known are ${known.mkString(", ")}"))
-        o.value
-      case _ => refuse(path, s"is no object; write {${known.map("\"" + _ + "\": ...").mkString(", ")}}")
-    }
+    private def fields(v: ujson.Value, path: String, known: String*): collection.Map[String, ujson.Value] =
+      v match {
+        case o: ujson.Obj =>
+          o.value.keys.find(!known.contains(_)).foreach(k =>
+            refuse(path, s"there is no key '$k'; known are ${known.mkString(", ")}")
+          )
+          o.value
+        case _ => refuse(path, s"is no object; write {${known.map("\"" + _ + "\": ...").mkString(", ")}}")
+      }
     private def list(v: ujson.Value, path: String): Seq[ujson.Value] = v match {
       case a: ujson.Arr => a.value.toSeq
       case _            => refuse(path, "is no list; write [...]")
@@ -64,17 +66,23 @@ object RaySceneFile {
     }
     private def color(v: ujson.Value, path: String): Int = v match {
       case ujson.Str(s) if s.matches("[0-9a-fA-F]{6}") => Integer.parseInt(s, 16)
-      case other => refuse(path, s"${ujson.write(other)} is no colour; write six hexadecimal digits, \"ff8000\"")
+      case other                                       =>
+        refuse(path, s"${ujson.write(other)} is no colour; write six hexadecimal digits, \"ff8000\"")
     }
 
     /** The vector or number of a key that must be there. */
-    private def need[A](o: collection.Map[String, ujson.Value], path: String, key: String)(read: (ujson.Value, String) => A): A =
+    private def need[A](
+        o: collection.Map[String, ujson.Value],
+        path: String,
+        key: String
+    )(read: (ujson.Value, String) => A): A =
       read(o.getOrElse(key, refuse(path, s"the key '$key' is missing")), s"$path.$key")
 
     private def range(o: collection.Map[String, ujson.Value], path: String): (IntVector, IntVector) =
       if (o.contains("centre")) {
         val c = need(o, path, "centre")(vector)
-        if (o.contains("low") || o.contains("high")) refuse(path, "has a centre and low or high; give one of them")
+        if (o.contains("low") || o.contains("high"))
+          refuse(path, "has a centre and low or high; give one of them")
         (c, c)
       } else (need(o, path, "low")(vector), need(o, path, "high")(vector))
 
@@ -92,7 +100,11 @@ object RaySceneFile {
 
     private def room(v: ujson.Value): RayRoom = {
       val o = fields(v, "room", "low", "high", "cellBits")
-      RayRoom(need(o, "room", "low")(vector), need(o, "room", "high")(vector), need(o, "room", "cellBits")(whole))
+      RayRoom(
+        need(o, "room", "low")(vector),
+        need(o, "room", "high")(vector),
+        need(o, "room", "cellBits")(whole)
+      )
     }
 
     private def sphere(v: ujson.Value, path: String): RaySphere = {

@@ -1,9 +1,8 @@
 package frustum.scene
 
-import frustum.InputError
+import frustum.{InputError, InputFile}
 import java.nio.charset.StandardCharsets
-import java.nio.file.{Files, NoSuchFileException, Path}
-import scala.util.control.NonFatal
+import java.nio.file.Path
 
 /** A statement of a text file: keyword and arguments, with the place to name when something is wrong with it.
   */
@@ -36,15 +35,11 @@ object SourceLine {
     *   who refers to the file and where, for the message when it is missing
     */
   def read(file: Path, namedBy: Option[SourceLine] = None): Seq[SourceLine] = {
-    def refuse(what: String): Nothing =
-      namedBy.fold[Nothing](throw InputError(s"$file: $what"))(_.error(s"$file: $what"))
+    def refuse(message: String): Nothing = namedBy.fold[Nothing](throw InputError(message))(_.error(message))
     val content =
-      try new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1)
-      catch {
-        case _: NoSuchFileException => refuse("there is no such file; check the name")
-        case NonFatal(e) => refuse(s"cannot be read (${e.getClass.getSimpleName}); give a readable text file")
-      }
-    if (content.contains('\u0000')) refuse("is not a text file; give an OBJ or MTL file in text form")
+      try InputFile.text(file, "give a readable text file", StandardCharsets.ISO_8859_1)
+      catch { case InputError(message) => refuse(message) }
+    if (content.contains('\u0000')) refuse(s"$file: is not a text file; give an OBJ or MTL file in text form")
     val lines = content.split("\r\n|\r|\n", -1).toIndexedSeq
     joined(lines).flatMap { case (number, line) =>
       val text = line.replaceAll("(^|\\s)#.*", "").trim

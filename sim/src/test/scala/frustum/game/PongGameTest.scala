@@ -22,12 +22,6 @@ class PongGameTest extends AnyFunSuite {
     Pressed(up = dy > 2, down = dy < -2, left = dx < -2, right = dx > 2)
   }
 
-  /** Steers to where the puck will meet the wall. */
-  private def foresee(game: Model): Pressed = {
-    val arrival = Iterator.iterate(game.tick(Pressed()))(_.tick(Pressed())).dropWhile(g => !g.over && !g.caught).next()
-    follow(game.copy(puck = game.puck.zip(arrival.puck).map { case (now, wall) => now.copy(position = wall.position) }))
-  }
-
   private def inside(game: Model, hint: => String): Unit = for (a <- 0 to 2) {
     val at = game.puck(a).position
     assert(at >= PuckLow(a) && at <= PuckHigh(a), s"axis $a at $at, $hint")
@@ -49,8 +43,10 @@ class PongGameTest extends AnyFunSuite {
   }
 
   test("63 is reached by a player who foresees the puck, and ends the game") {
-    val games = Iterator.iterate(Model.start)(g => g.tick(foresee(g))).take(40000).takeWhile(g => !g.over || g.caught)
-    val last  = games.reduce((_, g) => g)
+    val games = Iterator.iterate(Model.start)(g => g.tick(AutoPlayer(g))).take(40000).takeWhile(g =>
+      !g.over || g.caught
+    )
+    val last = games.reduce((_, g) => g)
     assert(last.won && !last.lost && last.score == WinScore && last.puck(2).speed == StartSpeed + WinScore)
     assert(last.tick(Pressed(up = true)) == last.copy(caught = false))
   }
@@ -87,14 +83,21 @@ class PongGameTest extends AnyFunSuite {
       dut.io.tick #= false
       dut.clockDomain.forkStimulus(10)
       dut.clockDomain.waitSampling(5)
-      var game   = Model.start
+      var game          = Model.start
+      def reset(): Unit = {
+        dut.clockDomain.assertReset()
+        dut.clockDomain.waitRisingEdge(2)
+        dut.clockDomain.deassertReset()
+        dut.clockDomain.waitSampling()
+        game = Model.start
+      }
       var wins   = 0
       var losses = 0
       for (n <- 0 until 20000) {
         val b = random.nextInt(if (wins == 0) 100000 else 40) match {
           case 0 => Pressed(true, true, true, true)
           case 1 => anyButtons(random)
-          case _ => if (losses > 0 && wins == 0) foresee(game) else follow(game)
+          case _ => if (losses > 0 && wins == 0) AutoPlayer(game) else follow(game)
         }
         dut.io.buttons.up #= b.up
         dut.io.buttons.down #= b.down
@@ -104,13 +107,8 @@ class PongGameTest extends AnyFunSuite {
         dut.clockDomain.waitSampling()
         dut.io.tick #= false
         dut.clockDomain.waitSampling(random.nextInt(PongGame.TickClocks))
-        if (random.nextInt(3000) == 0 && wins > 0) {
-          dut.clockDomain.assertReset()
-          dut.clockDomain.waitRisingEdge(2)
-          dut.clockDomain.deassertReset()
-          dut.clockDomain.waitSampling()
-          game = Model.start
-        } else {
+        if (random.nextInt(3000) == 0 && wins > 0) reset()
+        else {
           dut.clockDomain.waitSampling(PongGame.TickClocks)
           game = game.tick(b)
         }
@@ -129,13 +127,7 @@ class PongGameTest extends AnyFunSuite {
         assert(seen == want, s"tick $n, $b, seed $seed")
         if (game.won && game.caught) wins += 1
         if (game.lost) losses += 1
-        if (game.over && n % 50 == 0) {
-          dut.clockDomain.assertReset()
-          dut.clockDomain.waitRisingEdge(2)
-          dut.clockDomain.deassertReset()
-          dut.clockDomain.waitSampling()
-          game = Model.start
-        }
+        if (game.over && n % 50 == 0) reset()
       }
       assert(wins > 0 && losses > 0, s"$wins wins, $losses losses")
     }

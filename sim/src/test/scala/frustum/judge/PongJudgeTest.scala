@@ -21,8 +21,10 @@ class PongJudgeTest extends AnyFunSuite {
   }
 
   test("the model's own frames are without fault") {
-    val f = judge(Seq(PongGame.start, PongGame.start, moved).zipWithIndex.map { case (g, i) => PongFrame(i, model.frame(g), g) }: _*)
-    assert(f.frames == 3 && f.pixels == 3 * 256 * 96 && f.failures.isEmpty, f)
+    val f = judge(Seq(PongGame.start, PongGame.start, moved).zipWithIndex.map { case (g, i) =>
+      PongFrame(i, model.frame(g), g)
+    }: _*)
+    assert(f.frames == 3 && f.rays.pixels == 3 * 256 * 96 && f.failures.isEmpty, f)
   }
 
   test("a pixel that differs, and a frame of another tick, are seen") {
@@ -34,10 +36,16 @@ class PongJudgeTest extends AnyFunSuite {
   }
 
   test("sums, and what must be zero") {
-    val one = PongFigures(RayCounts(1, 2, 3, 4, 5.5, 6, Some(30)), 100, 7)
-    val sum = one + PongFigures(RayCounts(0, 0, 0, 0, 1.5, 0, None), 100, 0)
+    val one = PongFigures(
+      1,
+      7,
+      RayCounts(100, 1, 2, 3, 4, 5.5, 6, squaredError = 255.0 * 255 * 3 * 100 / 1000)
+    ) // 30 dB
+    val sum = one + PongFigures(1, 0, RayCounts(100, 0, 0, 0, 0, 1.5, 0, squaredError = 0))
     assert(sum.failures.map(_.takeWhile(_ != ' ')) == Seq("7", "1", "2", "3", "4"))
-    assert(sum.frames == 2 && sum.maxColourError == 5.5 && sum.colourErrorsOver1 == 6)
-    assert((one.psnr.get - 30).abs < 1e-9 && (sum.psnr.get - 30 - 10 * scala.math.log10(2)).abs < 1e-9)
+    assert(sum.frames == 2 && sum.rays.maxColourError == 5.5 && sum.rays.colourErrorsOver1 == 6)
+    assert(
+      (one.rays.psnr.get - 30).abs < 1e-9 && (sum.rays.psnr.get - 30 - 10 * scala.math.log10(2)).abs < 1e-9
+    )
   }
 }

@@ -8,7 +8,7 @@ import frustum.pipelines.PongPipelineConfig
 /** Bit-exact model of [[frustum.pipelines.PongPipeline]]: the picture of a state of the game. */
 class PongModel(config: PongPipelineConfig) {
   import config.mode
-  private val rays = new RayPicture(config.scene, mode.width, mode.height)
+  private lazy val rays = new RayPicture(config.scene, mode.width, mode.height)
 
   /** What the overlay writes. */
   def text(game: PongGame): TextOverlay = TextOverlay(

@@ -1,0 +1,42 @@
+package frustum.command
+
+import frustum.engine.{PongFrame, PongMeasures, PongRun}
+import frustum.judge.{PongFigures, PongJudge}
+import frustum.model.game.{PongButtons, PongGame}
+import frustum.picture.{AnimatedGif, Picture}
+import frustum.pipelines.PongPipelineConfig
+import java.nio.file.Path
+
+/** A game on the simulated board: what was measured on it, and what the judge found. */
+final case class PongRecording(measures: PongMeasures, figures: PongFigures, seconds: Double)
+
+object PongRecording {
+
+  /** A tick is two frames, a thirtieth of a second: hundredths that add up to it. */
+  private def delays: Iterator[Int] = Iterator.continually(Seq(3, 3, 4)).flatten
+
+  /** Plays, judges each frame and writes every second one to `gif`.
+    *
+    * @param each takes a frame and its picture as 0xRRGGBB
+    */
+  def apply(config: PongPipelineConfig, player: PongGame => PongButtons, seed: Long, frames: Int, gif: Path)(
+      each: (PongFrame, Array[Int]) => Unit
+  ): PongRecording = {
+    val judge    = new PongJudge(config)
+    val times    = delays
+    val started  = System.nanoTime
+    val progress = Progress("pong", frames)
+    val measures =
+      try AnimatedGif.write(gif, config.mode.width, config.mode.height) { film =>
+          new PongRun(config, player, seed).play(frames) { frame =>
+            val picture = Picture.ofFormat(frame.atPins, config.format)
+            each(frame, picture)
+            if (frame.index % 2 == 0) film.add(picture, times.next())
+            judge.add(frame)
+            progress.step()
+          }
+        }
+      finally progress.close()
+    PongRecording(measures, judge.figures(), (System.nanoTime - started) / 1e9)
+  }
+}
