@@ -11,10 +11,10 @@ case class ClockOutput(tech: Tech) extends Component {
   tech match {
     case Tech.Ice40 =>
       val cell = Ice40DoubleRateOutput()
-      cell.io.OUTPUTCLK  := now
-      cell.io.DOUT0      := False
-      cell.io.DOUT1      := True
-      io.pin             := cell.io.PACKAGEPIN
+      cell.io.OUTPUTCLK := now
+      cell.io.DOUT0     := False
+      cell.io.DOUT1     := True
+      io.pin            := cell.io.PACKAGEPIN
     case _: Tech.Inferred => io.pin := !now
   }
 }

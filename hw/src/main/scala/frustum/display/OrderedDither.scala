@@ -9,8 +9,8 @@ import spinal.lib.graphic.{Rgb, RgbConfig}
   */
 case class OrderedDither(format: ColorFormat) extends Component {
   val io = new Bundle {
-    val rgb  = in(Rgb(RgbConfig(8, 8, 8)))
-    val x, y = in UInt (2 bits) // the pixel's position modulo 4
+    val rgb   = in(Rgb(RgbConfig(8, 8, 8)))
+    val x, y  = in UInt (2 bits) // the pixel's position modulo 4
     val red   = out UInt (format.red bits)
     val green = out UInt (format.green bits)
     val blue  = out UInt (format.blue bits)

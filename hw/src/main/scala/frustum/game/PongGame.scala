@@ -10,19 +10,20 @@ import spinal.lib._
   */
 case class PongGame() extends Component {
   val io = new Bundle {
-    val tick          = in Bool ()
-    val buttons       = in(PongButtons()) // steady during a tick
-    val puck          = out(Vec(SInt(12 bits), 3))
-    val paddleX       = out SInt (12 bits)
-    val paddleY       = out SInt (12 bits)
-    val tens, ones    = out UInt (4 bits) // of the score
-    val won, lost     = out Bool ()
-    val caught        = out Bool () // at the last tick
+    val tick       = in Bool ()
+    val buttons    = in(PongButtons()) // steady during a tick
+    val puck       = out(Vec(SInt(12 bits), 3))
+    val paddleX    = out SInt (12 bits)
+    val paddleY    = out SInt (12 bits)
+    val tens, ones = out UInt (4 bits) // of the score
+    val won, lost  = out Bool ()
+    val caught     = out Bool ()       // at the last tick
   }
   val won, lost, caught = RegInit(False)
   val tens, ones        = Reg(UInt(4 bits)) init 0
   val restart           = io.tick && io.buttons.restart
-  val step              = History(io.tick && !io.buttons.restart && !won && !lost, 0 to PongGame.TickClocks - 1, init = False)
+  val step              =
+    History(io.tick && !io.buttons.restart && !won && !lost, 0 to PongGame.TickClocks - 1, init = False)
 
   val paddle = Paddle()
   paddle.io.restart := restart
@@ -35,9 +36,9 @@ case class PongGame() extends Component {
     p.io.bound   := step(1)
   }
 
-  val atWall = RegNextWhen(puck(2).io.atHigh, step(1)) init False
-  val off    = Vec(RegNext(puck(0).io.position - paddle.io.x), RegNext(puck(1).io.position - paddle.io.y))
-  val near   = Vec(off.map(d => RegNext(d.abs < Reach)))
+  val atWall  = RegNextWhen(puck(2).io.atHigh, step(1)) init False
+  val off     = Vec(RegNext(puck(0).io.position - paddle.io.x), RegNext(puck(1).io.position - paddle.io.y))
+  val near    = Vec(off.map(d => RegNext(d.abs < Reach)))
   val catches = step(4) && atWall && near.andR
   for (a <- 0 to 1) {
     puck(a).io.turn        := catches

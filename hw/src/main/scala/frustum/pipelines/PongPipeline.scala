@@ -21,7 +21,10 @@ case class PongPipelineConfig(
     scene.spheres.size == 1 && scene.quads.size == 1,
     s"pong is a puck and a paddle: the scene has ${scene.spheres.size} spheres, ${scene.quads.size} quads"
   )
-  require(mode.width >= 16 * Font.Cell, s"pictures of ${mode.width} pixels, at least ${16 * Font.Cell} for the text")
+  require(
+    mode.width >= 16 * Font.Cell,
+    s"pictures of ${mode.width} pixels, at least ${16 * Font.Cell} for the text"
+  )
 
   /** Four letters take at most half of the width. */
   private val scale      = log2Up(mode.width / (8 * Font.Cell) + 1) - 1
@@ -49,17 +52,18 @@ case class PongPipeline(config: PongPipelineConfig) extends Component {
   game.io.tick := RegNext(frames.willOverflow) init False
   game.io.buttons.assignFromBits(buttons.io.held)
 
-  val ray = RayPipeline(RayConfig(scene, mode))
+  val ray            = RayPipeline(RayConfig(scene, mode))
   private val ticked = PongGame.TickClocks + 2 // clocks until a tick that `frameEnd` starts is done
-  ray.io.latch    := Delay(scanner.io.frameEnd, ticked, init = False)
-  ray.io.line     := scanner.io.line
-  ray.io.up.valid := scanner.io.active
+  ray.io.latch                                  := Delay(scanner.io.frameEnd, ticked, init = False)
+  ray.io.line                                   := scanner.io.line
+  ray.io.up.valid                               := scanner.io.active
   for (a <- 0 to 2) ray.io.motion.spheres(0)(a) := game.io.puck(a)
-  ray.io.motion.quads(0).x := game.io.paddleX
-  ray.io.motion.quads(0).y := game.io.paddleY
-  ray.io.motion.quads(0).z := scene.quads(0).low.z
+  ray.io.motion.quads(0).x                      := game.io.paddleX
+  ray.io.motion.quads(0).y                      := game.io.paddleY
+  ray.io.motion.quads(0).z                      := scene.quads(0).low.z
 
-  val overlay = TextOverlay(Seq(config.score, config.message), log2Up(scala.math.max(mode.hTotal, mode.vTotal)))
+  val overlay =
+    TextOverlay(Seq(config.score, config.message), log2Up(scala.math.max(mode.hTotal, mode.vTotal)))
   private def letters(word: String) = Vec(word.map(c => U(Font.code(c), Font.CodeBits bits)))
   private def digit(d: UInt)        = U(Font.code('0'), Font.CodeBits bits) | d.resized
   overlay.io.x       := scanner.io.x.resized
@@ -71,7 +75,10 @@ case class PongPipeline(config: PongPipelineConfig) extends Component {
   /** The ray caster is the longest way; all else waits for it, and a last register is the pins'. */
   val latencyClocks: Int = ray.latency + 1
   require(latencyClocks < PixelScanner.Tail, s"latency $latencyClocks, at most ${PixelScanner.Tail - 1}")
-  require(ray.latency >= TextOverlay.Latency, s"the ray caster's ${ray.latency} clocks are fewer than the text's")
+  require(
+    ray.latency >= TextOverlay.Latency,
+    s"the ray caster's ${ray.latency} clocks are fewer than the text's"
+  )
   private def lateText(that: Bool) = Delay(that, ray.latency - TextOverlay.Latency)
   private val cell                 = lateText(overlay.io.cell)
   private val dot                  = lateText(overlay.io.dot)
@@ -84,7 +91,7 @@ case class PongPipeline(config: PongPipelineConfig) extends Component {
   dither.io.rgb.g := written(ray.io.down.rgb.g)
   dither.io.rgb.b := written(ray.io.down.rgb.b)
 
-  private def idle(positive: Boolean) = Bool(!positive)
+  private def idle(positive: Boolean)                  = Bool(!positive)
   private def lateSync(pulse: Bool, positive: Boolean) =
     RegNext(Delay(pulse, ray.latency, init = idle(positive))) init idle(positive)
   io.video.active := RegNext(ray.io.down.valid) init False

@@ -20,7 +20,10 @@ object PongRules {
   /** Half of the paddle's size: caught when the puck's centre is less than this from the paddle's on both axes. */
   val Reach    = 50
   val WinScore = 63
-  require(StartSpeed + WinScore < (1 << SpeedBits), s"z speed $StartSpeed + $WinScore exceeds $SpeedBits bits")
+  require(
+    StartSpeed + WinScore < (1 << SpeedBits),
+    s"z speed $StartSpeed + $WinScore exceeds $SpeedBits bits"
+  )
 
   val FramesPerTick = 2
 }

@@ -14,7 +14,10 @@ object TextField {
   /** In the middle of a row. */
   def centred(width: Int, row: Int, length: Int, scale: Int): TextField = {
     val columns = width / (Font.Cell << scale)
-    require(length <= columns, s"$length letters of scale $scale in a picture of $width pixels: at most $columns")
+    require(
+      length <= columns,
+      s"$length letters of scale $scale in a picture of $width pixels: at most $columns"
+    )
     TextField((columns - length) / 2, row, length, scale)
   }
 }

@@ -29,7 +29,9 @@ object PlayCommand extends CommandLine {
       programName("./sbt play"),
       head(s"play: $summary"),
       arg[String]("pong").optional().action((v, o) => o.copy(what = v)).text("what to play: pong"),
-      opt[VideoMode]("mode")(Arguments.oneOf(PongOptions.modes: _*)).valueName(PongOptions.modes.map(_._1).mkString("|"))
+      opt[VideoMode]("mode")(
+        Arguments.oneOf(PongOptions.modes: _*)
+      ).valueName(PongOptions.modes.map(_._1).mkString("|"))
         .action((v, o) => o.copy(mode = v)).text(s"(default ${PongOptions.modes.head._1})"),
       opt[Int]("frames")(Arguments.count).valueName("N").action((v, o) => o.copy(frames = Some(v)))
         .text("ends after so many (default: when the window is closed)"),
@@ -65,7 +67,9 @@ object PlayCommand extends CommandLine {
         println(s"$shown frames, ${"%.1f".formatLocal(Locale.ROOT, rate)} a second, score ${dut.score}")
         if (session.reader.errors == 0) 0
         else {
-          Console.err.println(s"error: play pong: ${session.reader.errors} sync errors; ./sbt \"pong\" tells which")
+          Console.err.println(
+            s"error: play pong: ${session.reader.errors} sync errors; ./sbt \"pong\" tells which"
+          )
           1
         }
       } finally screen.close()

@@ -22,18 +22,35 @@ object PongScenes {
   def config(mode: VideoMode, file: Option[Path]): PongPipelineConfig = file match {
     case None    => PongPipelineConfig(mode = mode, scene = room(mode))
     case Some(f) =>
-      val scene                            = RaySceneFile.read(f, room(mode), mode.width, mode.height)
-      def refuse(what: String): Nothing    = throw InputError(s"$f: $what")
-      def covers(low: IntVector, high: IntVector, from: IntVector, to: IntVector, axes: Range, what: String): Unit =
+      val scene                         = RaySceneFile.read(f, room(mode), mode.width, mode.height)
+      def refuse(what: String): Nothing = throw InputError(s"$f: $what")
+      def covers(low: IntVector, high: IntVector, from: IntVector, to: IntVector, axes: Range, what: String)
+          : Unit =
         if (axes.exists(a => low(a) > from(a) || high(a) < to(a)))
-          refuse(s"$what goes from $from to $to by the rules, the scene's from $low to $high: let it go there")
+          refuse(
+            s"$what goes from $from to $to by the rules, the scene's from $low to $high: let it go there"
+          )
       val config =
         try PongPipelineConfig(mode = mode, scene = scene)
         catch { case e: IllegalArgumentException => refuse(e.getMessage.stripPrefix("requirement failed: ")) }
       import PongRules._
-      covers(scene.spheres.head.low, scene.spheres.head.high, PuckLow, PuckHigh, 0 to 2, "the puck, sphere 0,")
+      covers(
+        scene.spheres.head.low,
+        scene.spheres.head.high,
+        PuckLow,
+        PuckHigh,
+        0 to 2,
+        "the puck, sphere 0,"
+      )
       val quad = scene.quads.head
-      covers(quad.low, quad.high, IntVector(-PaddleX, -PaddleY, 0), IntVector(PaddleX, PaddleY, 0), 0 to 1, "the paddle, quad 0,")
+      covers(
+        quad.low,
+        quad.high,
+        IntVector(-PaddleX, -PaddleY, 0),
+        IntVector(PaddleX, PaddleY, 0),
+        0 to 1,
+        "the paddle, quad 0,"
+      )
       config
   }
 }

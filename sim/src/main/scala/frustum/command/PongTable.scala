@@ -5,8 +5,19 @@ import java.util.Locale
 /** The key figures of a report of pong, for the terminal. */
 object PongTable {
   private val Keys = Seq(
-    "frames", "clocksPerFrame", "pixelsPerClock", "latencyClocks", "syncErrors", "silhouettePixelsWrong", "shadowPixelsWrong",
-    "objectPixelsWrong", "checkerCellsWrong", "maxColourError", "psnr", "score", "win"
+    "frames",
+    "clocksPerFrame",
+    "pixelsPerClock",
+    "latencyClocks",
+    "syncErrors",
+    "silhouettePixelsWrong",
+    "shadowPixelsWrong",
+    "objectPixelsWrong",
+    "checkerCellsWrong",
+    "maxColourError",
+    "psnr",
+    "score",
+    "win"
   )
 
   def apply(report: ujson.Obj): String =

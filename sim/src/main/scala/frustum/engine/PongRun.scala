@@ -27,9 +27,9 @@ final class PongRun(config: PongPipelineConfig, player: PongGame => PongButtons,
 
   def play(frames: Int)(each: PongFrame => Unit): PongMeasures =
     EngineSim.run(PongSession.compile(config), None, seed) { dut =>
-      var states      = Vector(PongGame.start)
-      def next()      = { val b = player(states.last); states :+= states.last.tick(b); b }
-      val session     = new PongSession(dut, next())
+      var states  = Vector(PongGame.start)
+      def next()  = { val b = player(states.last); states :+= states.last.tick(b); b }
+      val session = new PongSession(dut, next())
       for (f <- 0 until frames) {
         val atPins = session.frame()
         if (f % 2 == 0) session.press(next())

@@ -15,11 +15,11 @@ case class PongTestbed(config: PongPipelineConfig) extends Component {
 
   // Both sides run from one clock, which the top's clock tree hides from the check.
   top.io.flatten.foreach(_.addTag(crossClockDomain))
-  top.io.clk            := ClockDomain.current.readClockWire
-  top.io.up             := io.up
-  top.io.down_n         := !io.down
-  top.io.left           := io.left
-  top.io.right          := io.right
+  top.io.clk             := ClockDomain.current.readClockWire
+  top.io.up              := io.up
+  top.io.down_n          := !io.down
+  top.io.left            := io.left
+  top.io.right           := io.right
   monitor.io.pins.hSync  := top.io.dvi_hSync
   monitor.io.pins.vSync  := top.io.dvi_vSync
   monitor.io.pins.active := top.io.dvi_de

@@ -71,7 +71,8 @@ final class LiveScreen private (name: String, width: Int, height: Int, scale: In
 }
 
 object LiveScreen {
-  private val Remedy = "set DISPLAY to a graphical screen and use a JDK with its window system (openjdk-17-jre)"
+  private val Remedy =
+    "set DISPLAY to a graphical screen and use a JDK with its window system (openjdk-17-jre)"
 
   /** An error in one line where there is no display: to be called before long work. */
   def require(): Unit =
@@ -91,7 +92,8 @@ object LiveScreen {
   private def noWindow(e: Throwable) = InputError(s"the window cannot be opened ($e): $Remedy")
 
   def title(name: String, framesPerSecond: Double, state: String): String =
-    s"$name - ${"%.1f".formatLocal(Locale.ROOT, framesPerSecond)} frames/s${if (state.isEmpty) "" else s" - $state"}"
+    s"$name - ${"%.1f".formatLocal(Locale.ROOT, framesPerSecond)} frames/s${if (state.isEmpty) ""
+      else s" - $state"}"
 
   /** The largest rectangle of the picture's shape within the window, in its middle. */
   def fit(width: Int, height: Int, inWidth: Int, inHeight: Int): java.awt.Rectangle = {

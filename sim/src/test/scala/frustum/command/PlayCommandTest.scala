@@ -9,7 +9,12 @@ class PlayCommandTest extends AnyFunSuite {
   test("without a display: one line that tells the remedy") {
     assume(GraphicsEnvironment.isHeadless, "there is a display")
     val run = CommandRunner.run("play", "pong")
-    assert(run.code == 2 && run.err.length == 1 && run.err.head.startsWith("error: ") && run.err.head.contains("DISPLAY"), run)
+    assert(
+      run.code == 2 && run.err.length == 1 && run.err.head.startsWith("error: ") && run.err.head.contains(
+        "DISPLAY"
+      ),
+      run
+    )
   }
 
   test("play pong shows frames of the simulated hardware in a window") {

@@ -5,14 +5,15 @@ import java.nio.file.{Files, Path}
 
 /** Bad arguments of `pong` and `play`: exit code 2, one line that says what would be right, and no file. */
 class PongArgumentsTest extends AnyFunSuite {
-  private val folder: Path = Files.createTempDirectory("pong")
-  private val inputs       = Files.createTempDirectory("pong-inputs")
+  private val folder: Path                     = Files.createTempDirectory("pong")
+  private val inputs                           = Files.createTempDirectory("pong-inputs")
   private def file(name: String, text: String) = Files.writeString(inputs.resolve(name), text).toString
 
   private val letters = file("letters.txt", "u\n-\nlx\n")
   private val empty   = file("none.json", """{"spheres": []}""")
-  private val still   = file("still.json", """{"spheres": [{"centre": [0, 0, 320], "radius": 20, "color": "ff0000"}]}""")
-  private val broken  = file("broken.json", "{\n  \"light\": [1, 2,\n")
+  private val still   =
+    file("still.json", """{"spheres": [{"centre": [0, 0, 320], "radius": 20, "color": "ff0000"}]}""")
+  private val broken = file("broken.json", "{\n  \"light\": [1, 2,\n")
 
   private val table = Seq(
     "pong --bad"                          -> Seq("--bad", "--help"),

@@ -25,9 +25,14 @@ class ButtonsTest extends AnyFunSuite {
             dut.io.sample #= t == 40
             dut.clockDomain.waitSampling()
             val held = dut.io.held.toInt
-            assert((held | before) == (goal | before) && (held & before) == (goal & before) || held == before, "only towards the goal")
+            assert(
+              (held | before) == (goal | before) && (held & before) == (goal & before) || held == before,
+              "only towards the goal"
+            )
           }
-          if (look == 1) { dut.io.sample #= false; dut.clockDomain.waitSampling(2); assert(dut.io.held.toInt == goal) }
+          if (look == 1) {
+            dut.io.sample #= false; dut.clockDomain.waitSampling(2); assert(dut.io.held.toInt == goal)
+          }
         }
         if (goal != before) presses += 1
         before = goal

@@ -8,7 +8,13 @@ class LiveScreenWindowTest extends AnyFunSuite {
     assume(VirtualDisplay.isThere, "Xvfb is not installed")
     val said = VirtualDisplay.run("frustum.live.LiveScreenProbe", 60)
     assert(
-      said.linesIterator.toSeq == Seq("picture true", "pressed true", "released true", "rate true", "closed true")
+      said.linesIterator.toSeq == Seq(
+        "picture true",
+        "pressed true",
+        "released true",
+        "rate true",
+        "closed true"
+      )
     )
   }
 }

@@ -12,8 +12,9 @@ object VirtualDisplay {
   /** What the class prints; it must end by itself, well, and within `seconds`. */
   def run(mainClass: String, seconds: Int, args: String*): String = {
     val log    = Files.createTempFile("xvfb", ".log")
-    val server = new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1024x768x24", "-nolisten", "tcp")
-      .redirectError(log.toFile).start()
+    val server =
+      new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1024x768x24", "-nolisten", "tcp")
+        .redirectError(log.toFile).start()
     try {
       val display = Source.fromInputStream(server.getInputStream).getLines().next().trim
       java(mainClass, s":$display", seconds, args)
@@ -28,7 +29,9 @@ object VirtualDisplay {
     val out: Path = Files.createTempFile("display", ".txt")
     val command   = Seq(
       Paths.get(System.getProperty("java.home"), "bin", "java").toString,
-      "-cp", System.getProperty("java.class.path"), mainClass
+      "-cp",
+      System.getProperty("java.class.path"),
+      mainClass
     ) ++ args
     val builder = new ProcessBuilder(command: _*).redirectErrorStream(true).redirectOutput(out.toFile)
     builder.environment.put("DISPLAY", display)

@@ -21,7 +21,12 @@ class SimVideoMonitorTest extends AnyFunSuite {
       val (x, y) = (column - left, line - mode.vSync - mode.vBack)
       val active = x >= 0 && x < mode.width && y >= 0 && y < mode.height
       val since  = line * hTotal + column - phase
-      Clock(column < mode.hSync, since >= 0 && since < mode.vSync * hTotal, active, if (active) color(f, x, y) else 0)
+      Clock(
+        column < mode.hSync,
+        since >= 0 && since < mode.vSync * hTotal,
+        active,
+        if (active) color(f, x, y) else 0
+      )
     }
 
   private lazy val compiled = FrustumSim.compile("SimVideoMonitor")(SimVideoMonitor(mode, 12))
@@ -53,16 +58,17 @@ class SimVideoMonitorTest extends AnyFunSuite {
   // The start of a further frame ends the last.
   private def frames(n: Int, phase: Int = 0) = signal(n + 1, phase).dropRight(hTotal * vTotal - phase - 1)
 
-  for (phase <- Seq(0, mode.hSync, left)) test(s"a clean signal, vertical pulse $phase clocks into the line") {
-    val m = run(frames(3, phase)) { reader =>
-      assert(reader.frames == 3 && reader.errors == 0 && reader.clocksPerFrame == hTotal * vTotal)
-      val sent = for (y <- 0 until mode.height; x <- 0 until mode.width) yield color(2, x, y)
-      assert(reader.picture().toSeq == sent)
+  for (phase <- Seq(0, mode.hSync, left))
+    test(s"a clean signal, vertical pulse $phase clocks into the line") {
+      val m = run(frames(3, phase)) { reader =>
+        assert(reader.frames == 3 && reader.errors == 0 && reader.clocksPerFrame == hTotal * vTotal)
+        val sent = for (y <- 0 until mode.height; x <- 0 until mode.width) yield color(2, x, y)
+        assert(reader.picture().toSeq == sent)
+      }
+      val got = Seq("hTotal", "hSync", "hBack", "width", "hFront").map(m(_).last)
+      assert(got == Seq(mode.hTotal, mode.hSync, mode.hBack, mode.width, mode.hFront))
+      assert(m("vSync").last == mode.vSync * hTotal && m("vTotal").measured == 3)
     }
-    val got = Seq("hTotal", "hSync", "hBack", "width", "hFront").map(m(_).last)
-    assert(got == Seq(mode.hTotal, mode.hSync, mode.hBack, mode.width, mode.hFront))
-    assert(m("vSync").last == mode.vSync * hTotal && m("vTotal").measured == 3)
-  }
 
   /** Changes clocks of the second frame, whose line and column are told. */
   private def changed(line: Int, columns: Range)(change: Clock => Clock): IndexedSeq[Clock] = {
@@ -87,17 +93,23 @@ class SimVideoMonitorTest extends AnyFunSuite {
 
   test("a vertical pulse that is missing, or a line longer") {
     val none = run((0 until mode.vSync).foldLeft(frames(3)) { (s, l) =>
-      (0 until hTotal).foldLeft(s)((s, c) => s.updated((vTotal + l) * hTotal + c, s((vTotal + l) * hTotal + c).copy(v = false)))
+      (0 until hTotal).foldLeft(s)((s, c) =>
+        s.updated((vTotal + l) * hTotal + c, s((vTotal + l) * hTotal + c).copy(v = false))
+      )
     })()
     assert(none("vTotal").wrong == 1 && none("vTotal").lastWrong == 2 * hTotal * vTotal)
     val long = run(changed(mode.vSync, 0 until hTotal)(_.copy(v = true)))()
-    assert(Set("vSync", "vBack").subsetOf(wrong(long)) && long("vSync").lastWrong == (mode.vSync + 1) * hTotal)
+    assert(Set(
+      "vSync",
+      "vBack"
+    ).subsetOf(wrong(long)) && long("vSync").lastWrong == (mode.vSync + 1) * hTotal)
   }
 
   test("a porch of the wrong width, a pixel too many, a colour where there is none, a line that stays dark") {
     val early = changed(line, left - 1 until left)(_.copy(active = true))
     assert(wrong(run(early)()) == Set("hBack", "width", "misplaced"))
-    val short = changed(line, hTotal - mode.hFront - 1 until hTotal - mode.hFront)(_.copy(active = false, color = 0))
+    val short =
+      changed(line, hTotal - mode.hFront - 1 until hTotal - mode.hFront)(_.copy(active = false, color = 0))
     assert(wrong(run(short)()) == Set("width", "hFront", "misplaced"))
     assert(wrong(run(changed(line, 1 until 2)(_.copy(color = 5)))()) == Set("blankColour"))
     val dark = changed(line, left until left + mode.width)(_.copy(active = false, color = 0))

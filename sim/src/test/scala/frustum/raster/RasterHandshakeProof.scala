@@ -15,7 +15,9 @@ class TileSequencerClaims(config: RasterConfig) extends Component {
   Claims.sink(unit.io.tile)
   Claims.sink(unit.io.job)
   anyseq(unit.io.drained)
-  assert(unit.io.frame.valid || unit.state.pull() === unit.State.Idle) // so that induction starts amid a frame
+  assert(
+    unit.io.frame.valid || unit.state.pull() === unit.State.Idle
+  ) // so that induction starts amid a frame
 }
 
 class EdgeWalkerClaims(config: RasterConfig) extends Component {
@@ -38,7 +40,14 @@ class InterpolatorClaims(config: RasterConfig) extends Component {
 class SetupFetchClaims(config: RasterConfig) extends Component {
   val unit = FormalDut(SetupFetch(StoreLayout(config), 3))
   assumeInitial(clockDomain.isResetActive)
-  Seq(unit.io.start, unit.io.program, unit.io.values, unit.io.readData, unit.io.spare.address, unit.io.spare.write).foreach(anyseq(_))
+  Seq(
+    unit.io.start,
+    unit.io.program,
+    unit.io.values,
+    unit.io.readData,
+    unit.io.spare.address,
+    unit.io.spare.write
+  ).foreach(anyseq(_))
   // the triangle stays while it is fetched
   anyconst(unit.io.triangle)
   anyconst(unit.io.bank)

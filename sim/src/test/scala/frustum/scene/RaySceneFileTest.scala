@@ -9,11 +9,16 @@ import java.nio.file.Files
 class RaySceneFileTest extends AnyFunSuite {
   private val base                  = PongScene.room()
   private val file                  = Files.createTempFile("scene", ".json")
-  private def read(content: String) = { Files.writeString(file, content); RaySceneFile.read(file, base, 640, 480) }
+  private def read(content: String) = {
+    Files.writeString(file, content); RaySceneFile.read(file, base, 640, 480)
+  }
 
   test("what is left out is the base's") {
     assert(read("{}") == base)
-    assert(read("""{"light": null, "background": "102030"}""") == base.copy(light = None, background = 0x102030))
+    assert(read("""{"light": null, "background": "102030"}""") == base.copy(
+      light = None,
+      background = 0x102030
+    ))
   }
 
   test("every part") {
@@ -35,25 +40,33 @@ class RaySceneFileTest extends AnyFunSuite {
       Some(IntVector(1, 2, 3)),
       base.background
     ))
-    val turned = read("""{"camera": {"eye": [0, 0, -300], "corner": [-1, -2, 3], "right": [1, 0, 0], "down": [0, 1, 0]}}""")
+    val turned = read(
+      """{"camera": {"eye": [0, 0, -300], "corner": [-1, -2, 3], "right": [1, 0, 0], "down": [0, 1, 0]}}"""
+    )
     assert(turned.camera.direction(2, 3) == IntVector(1, 1, 3))
   }
 
   private val bad = Seq(
-    "{\n\"light\": [1,2\n}"                          -> Seq(":3: ", "JSON"),
-    "{"                                              -> Seq("JSON"),
-    "[]"                                             -> Seq("scene", "no object"),
-    """{"lamp": [0,0,0]}"""                          -> Seq("'lamp'", "light"),
-    """{"light": [0,0]}"""                           -> Seq("light", "[x, y, z]"),
-    """{"light": [0,0,0.5]}"""                       -> Seq("light", "0.5", "whole"),
-    """{"background": "red"}"""                      -> Seq("background", "hexadecimal"),
-    """{"camera": {"eye": [0,0,0]}}"""               -> Seq("camera", "'corner'"),
-    """{"spheres": {"centre": [0,0,100]}}"""         -> Seq("spheres", "list"),
+    "{\n\"light\": [1,2\n}"                                       -> Seq(":3: ", "JSON"),
+    "{"                                                           -> Seq("JSON"),
+    "[]"                                                          -> Seq("scene", "no object"),
+    """{"lamp": [0,0,0]}"""                                       -> Seq("'lamp'", "light"),
+    """{"light": [0,0]}"""                                        -> Seq("light", "[x, y, z]"),
+    """{"light": [0,0,0.5]}"""                                    -> Seq("light", "0.5", "whole"),
+    """{"background": "red"}"""                                   -> Seq("background", "hexadecimal"),
+    """{"camera": {"eye": [0,0,0]}}"""                            -> Seq("camera", "'corner'"),
+    """{"spheres": {"centre": [0,0,100]}}"""                      -> Seq("spheres", "list"),
     """{"spheres": [{"centre": [0,0,100], "color": "ff0000"}]}""" -> Seq("spheres[0]", "'radius'"),
-    """{"spheres": [{"centre": [0,0,100], "low": [0,0,0], "radius": 1, "color": "ff0000"}]}""" -> Seq("spheres[0]", "centre"),
+    """{"spheres": [{"centre": [0,0,100], "low": [0,0,0], "radius": 1, "color": "ff0000"}]}""" -> Seq(
+      "spheres[0]",
+      "centre"
+    ),
     """{"spheres": [{"centre": [0,0,100], "radius": 0, "color": "ff0000"}]}""" -> Seq("sphere 0", "radius 0"),
-    """{"spheres": [{"centre": [0,0,-310], "radius": 20, "color": "ff0000"}]}""" -> Seq("inside sphere 0", "20"),
-    """{"light": [0,0,9000]}"""                      -> Seq("outside the room", "9000")
+    """{"spheres": [{"centre": [0,0,-310], "radius": 20, "color": "ff0000"}]}""" -> Seq(
+      "inside sphere 0",
+      "20"
+    ),
+    """{"light": [0,0,9000]}""" -> Seq("outside the room", "9000")
   )
   for ((content, fragments) <- bad) test(s"refused: ${content.replaceAll("\\s+", " ")}") {
     val e = intercept[InputError](read(content))

@@ -16,7 +16,8 @@ case class PongTop(config: PongPipelineConfig, tech: Tech) extends Component {
     private val unreset = ClockDomain(divider.io.clockOut, config = ClockDomainConfig(resetKind = BOOT))
     val domain          = ClockDomain(
       clock = divider.io.clockOut,
-      reset = ResetCtrl.asyncAssertSyncDeassert(!io.resetn, unreset, inputPolarity = HIGH, outputPolarity = HIGH),
+      reset =
+        ResetCtrl.asyncAssertSyncDeassert(!io.resetn, unreset, inputPolarity = HIGH, outputPolarity = HIGH),
       frequency = ClockDomain.FixedFrequency(25 MHz)
     )
   }

@@ -13,7 +13,8 @@ final class Artix7Flow(tools: Artix7Tools) extends Flow {
   /** nextpnr takes a frequency for pads alone; the core's is that of `--freq`. */
   protected def writeConstraints(work: Path, top: BoardTop): Unit = {
     val pins   = Files.readString(Paths.get(top.constraints))
-    val clocks = top.otherClocks.map(c => s"create_clock -period ${1000 / c.mhz} [get_ports ${c.net}]\n").mkString
+    val clocks =
+      top.otherClocks.map(c => s"create_clock -period ${1000 / c.mhz} [get_ports ${c.net}]\n").mkString
     Files.writeString(work.resolve(s"${top.name}.xdc"), s"$pins\n$clocks")
   }
 
