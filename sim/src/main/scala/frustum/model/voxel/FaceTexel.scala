@@ -31,12 +31,12 @@ object FaceTexel {
     val axes = ray.fast +: ray.others
     val t    = new Array[Int](3) // texels within the block, mirrored
     val one  = 1L << c.fractionBits
+    def at(i: Int) = hit.at(i) + (if (ray.low(i)) 1 else 0) - hit.block(ray.others(i)) * one
     if (hit.entry == 0)
-      for (i <- 0 to 1) t(ray.others(i)) = (hit.at(i) >> c.fractionBits - 4 & 15).toInt
+      for (i <- 0 to 1) t(ray.others(i)) = (at(i) >> c.fractionBits - 4).toInt.min(15)
     else {
       val (own, other) = (hit.entry - 1, 2 - hit.entry)
       val (p, q)       = (ray.slopes(own).toLong, ray.slopes(other).toLong)
-      def at(i: Int)   = hit.at(i) + (if (ray.low(i)) 1 else 0) - hit.block(ray.others(i)) * one
       val run          = -at(own) // to the border crossed, along its axis
       t(ray.fast) = sixteenths(run, p << c.eyeBits)
       t(ray.others(other)) = sixteenths(at(other) * p + run * q, p << c.fractionBits)

@@ -68,8 +68,8 @@ final class ExactMarch(c: VoxelConfig, table: BlockTable, world: VoxelWorld, eye
 
 object ExactMarch {
 
-  /** The original's textures on the faces: which texel axis runs where. */
-  private def uv(face: Int, t: Seq[Int]): (Int, Int) = {
+  /** Texel column and row (downwards) on a face of a point in texels within its block. */
+  def uv(face: Int, t: Seq[Int]): (Int, Int) = {
     val right = Seq(15 - t(1), t(1), t(0), 15 - t(0), t(0), 15 - t(0))(face)
     (right, if (face < 4) 15 - t(2) else t(1))
   }
