@@ -1,6 +1,6 @@
 package frustum.model.pipelines
 
-import frustum.model.voxel.{Composite, FaceHit, FaceTexel, LeapWords, Marcher, RaySetup, RayStart}
+import frustum.model.voxel.{LayerComposite, FaceHit, FaceTexel, LeapWords, Marcher, RaySetup, RayStart}
 import frustum.scene.VoxelWorld
 import frustum.spec.{BlockTable, VoxelCamera, VoxelConfig, VoxelTextures}
 
@@ -9,6 +9,10 @@ final case class VoxelAssets(table: BlockTable, textures: VoxelTextures) {
   for (id <- table.ids; t <- table(id).textures) require(
     t >= 0 && t < textures.indices.length,
     s"block '${table(id).name}' has texture $t; there are ${textures.indices.length}"
+  )
+  for (id <- table.ids if table(id).opaque; t <- table(id).textures) require(
+    textures.indices(t).forall(i => (textures.palettes(t)(i) & 15) == 15),
+    s"block '${table(id).name}' is called opaque, but texture $t lets light through"
   )
 }
 
@@ -43,12 +47,16 @@ final class VoxelModel(val config: VoxelConfig, val assets: VoxelAssets, val wor
     found
   }
 
+  /** Steps of the ray that finds it. */
+  def pointedAtSteps(camera: VoxelCamera): Int =
+    marcher.march(RaySetup(camera.eye.axes, camera.look.axes, config))(_ => ())
+
   private def cast(camera: VoxelCamera, direction: Seq[Int], pointedAt: Option[SeenFace]): VoxelPixel = {
     val eye    = camera.eye.axes
     val ray    = RaySetup(eye, direction, config)
     val faces  = Seq.newBuilder[SeenFace]
     var inView = true
-    var layers = Composite.Empty
+    var layers = LayerComposite.Empty
     val steps  = marcher.march(ray) { hit =>
       val texel = FaceTexel(hit, eye, config)
       inView &&= texel.farSquared <= config.farSquared
@@ -56,11 +64,11 @@ final class VoxelModel(val config: VoxelConfig, val assets: VoxelAssets, val wor
         val face   = seen(hit, texel)
         val rgba   = assets.textures(assets.table(hit.id).textures(texel.face), texel.u, texel.v)
         val chosen = pointedAt.exists(_.sameFace(face))
-        layers = layers.behind(Composite.face(rgba, texel.face, texel.farSquared, chosen, config), rgba & 15)
+        layers = layers.behind(LayerComposite.face(rgba, texel.face, texel.farSquared, chosen, config), rgba & 15)
         faces += face
       }
     }
-    VoxelPixel(ray, faces.result(), layers.behind(Composite.channels(config.sky), 15).color, steps)
+    VoxelPixel(ray, faces.result(), layers.behind(LayerComposite.channels(config.sky), 15).color, steps)
   }
 
   private def seen(hit: FaceHit, t: FaceTexel): SeenFace = {

@@ -30,12 +30,12 @@ final class Marcher(c: VoxelConfig, table: BlockTable, words: Array[Int]) {
     def floor(at: Long)     = (at >> shift).toInt
     var marching            = true
     while (marching) {
+      steps += 1
       block(ray.fast) = plane
       block(a) = floor(atA) + (if (pastA) 1 else 0)
       block(b) = floor(atB) + (if (pastB) 1 else 0)
       if (plane > end || (0 to 2).exists(k => block(k) >= whole(k))) marching = false
       else {
-        steps += 1
         val inside = block.forall(_ >= 0)
         val word   = if (inside) words(address(block, ray.mirrored)) else 0
         val id     = c.leaps.id(word)

@@ -7,23 +7,23 @@ import frustum.spec.VoxelConfig
   * @param light red, green and blue so far, times 255 / 255
   * @param clear what the layers so far let through, of 255
   */
-final case class Composite(light: Seq[Int], clear: Int) {
+final case class LayerComposite(light: Seq[Int], clear: Int) {
 
   /** One layer behind the others.
     *
     * @param alpha 0..15; 15 leaves nothing clear
     */
-  def behind(color: Seq[Int], alpha: Int): Composite = {
+  def behind(color: Seq[Int], alpha: Int): LayerComposite = {
     val weight = clear * (alpha + (alpha >> 3)) >> 4
-    Composite(light.zip(color).map { case (l, c) => l + c * weight }, clear - weight)
+    LayerComposite(light.zip(color).map { case (l, c) => l + c * weight }, clear - weight)
   }
 
   /** 0xRRGGBB, rounded: x / 255 = (x + 128 + (x + 128) / 256) / 256. */
   def color: Int = light.map { x => val y = x + 128; y + (y >> 8) >> 8 }.foldLeft(0)(_ << 8 | _)
 }
 
-object Composite {
-  val Empty = Composite(Seq(0, 0, 0), 255)
+object LayerComposite {
+  val Empty = LayerComposite(Seq(0, 0, 0), 255)
 
   def channels(rgb: Int): Seq[Int] = Seq(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255)
 
