@@ -65,8 +65,8 @@ case class VoxelPipeline(c: VoxelConfig, kinds: BlockTable, textures: VoxelTextu
     rays.io.picked := RegNext(hit.valid && hit.pick && hit.last, False)
   }
   io.pointedAt := pick.found
-  composite.io.pointedAt       := pick.found
-  composite.io.pointedAt.valid := pick.found.valid && io.highlight
+  composite.io.pointedAt := pick.found
+  composite.io.pointedAt.valid.removeAssignments() := pick.found.valid && io.highlight
 
   val drawing = new Area {
     val busy = RegInit(False) setWhen io.start

@@ -143,7 +143,9 @@ case class FaceTexel(c: VoxelConfig, slots: Int) extends Component {
     val (in, x, y, z) = (node(HIT), node(INSIDE)(0), node(INSIDE)(1), node(INSIDE)(2))
     val out         = io.down.payload
     io.down.valid := node.isValid
-    out.assignSomeByName(in)
+    out.slot  := in.slot
+    out.last  := in.last
+    out.id    := in.id
     out.pixel := in.ray.pixel
     out.pick  := in.ray.pick
     out.face  := node(FACE)

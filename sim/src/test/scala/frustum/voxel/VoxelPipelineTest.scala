@@ -39,15 +39,19 @@ class VoxelPipelineTest extends AnyFunSuite {
             yield model.pixel(camera, i, j, pointedAt.filter(_ => highlight))
           val frame = session.frame(camera, highlight)
           val wrong = pixels.indices.filter(i => pixels(i).color != frame.picture(i))
-          assert(
-            wrong.isEmpty,
-            s"seed $seed, $view: ${wrong.length} pixels, the first is ${wrong.head}: " +
-              f"${frame.picture(wrong.head)}%06x, should be ${pixels(wrong.head).color}%06x of ${pixels(wrong.head)}"
-          )
+          wrong.headOption.foreach { i =>
+            fail(
+              f"seed $seed, $view: ${wrong.length} pixels wrong, the first is $i: ${frame.picture(i)}%06x, " +
+                f"should be ${pixels(i).color}%06x of ${pixels(i)}"
+            )
+          }
           assert(session.pointedAt == pointedAt.map(f => (Seq(f.x, f.y, f.z), f.face)), s"$view")
-          val steps = pixels.map(_.steps).sum + model.pointedAtSteps(camera)
+          val picking = model.pointedAtSteps(camera)
+          val steps   = pixels.map(_.steps).sum + picking
           assert(frame.steps == steps, s"$view")
-          assert(frame.clocks <= steps / 0.98 + 150, s"$view: ${frame.clocks} clocks for $steps steps")
+          // Alone in the ring: the ray that picks, and at the end perhaps the longest.
+          val alone = Marcher.Slots * (picking + pixels.map(_.steps).max) + 100
+          assert(frame.clocks <= steps / 0.98 + alone, s"$view: ${frame.clocks} clocks for $steps steps")
         }
       }
     }
