@@ -46,8 +46,9 @@ final class VoxelJudge(model: VoxelModel) {
     new Marcher(config.copy(leaps = VoxelJudge.Plain), assets.table, LeapWords(world, VoxelJudge.Plain))
 
   def ray(camera: VoxelCamera, pixel: VoxelPixel): VoxelCounts = {
+    val direction  = VoxelJudge.direction(pixel.ray, config.slopeBits)
     val (exact, _) =
-      new ExactMarch(config, assets.table, world, camera.eye.axes, VoxelJudge.direction(pixel.ray, config.slopeBits)).march()
+      new ExactMarch(config, assets.table, world, camera.eye.axes, direction, pixel.ray.mirrored).march()
     def differs(same: (Int, Int) => Boolean) = exact.length != pixel.seen.length || !exact.indices.forall(i => same(i, i))
     val block = differs((i, k) => exact(i).sameBlock(pixel.seen(k)))
     val face  = !block && differs((i, k) => exact(i).sameFace(pixel.seen(k)))

@@ -11,10 +11,19 @@ import frustum.spec.{BlockTable, VoxelConfig}
   *
   * @param eye in units of 2^-eyeBits blocks
   * @param direction of any length
+  * @param down whether the ray goes down along each axis; what has been rounded to 0 still goes somewhere
   */
-final class ExactMarch(c: VoxelConfig, table: BlockTable, world: VoxelWorld, eye: Seq[Int], direction: Seq[Long]) {
+final class ExactMarch(
+    c: VoxelConfig,
+    table: BlockTable,
+    world: VoxelWorld,
+    eye: Seq[Int],
+    direction: Seq[Long],
+    down: Seq[Boolean]
+) {
+  require((0 to 2).forall(k => direction(k) == 0 || direction(k) < 0 == down(k)), s"$direction goes elsewhere than $down")
   private val one  = 1L << c.eyeBits
-  private val sign = direction.map(d => if (d < 0) -1 else 1)
+  private val sign = down.map(d => if (d) -1 else 1)
   private val run  = direction.map(_.abs)
   // Positions and blocks are counted in the direction of travel, from the world's origin.
   private val from   = (0 to 2).map(k => eye(k).toLong * sign(k))
