@@ -31,7 +31,7 @@ case class VoxelPipeline(c: VoxelConfig, kinds: BlockTable, textures: VoxelTextu
   val rays      = PixelRays(c)
   val setup     = RaySetup(c, tech)
   val marcher   = Marcher(c, kinds)
-  val memory    = WorldMemory(c)
+  val memory    = WorldMemory(c, tech)
   val texels    = FaceTexel(c, Marcher.Slots)
   val composite = LayerComposite(c, kinds, textures, Marcher.Slots)
 

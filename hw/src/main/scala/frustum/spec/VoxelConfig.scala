@@ -31,8 +31,11 @@ final case class VoxelConfig(
   /** Of a position along a ray's slower axes. */
   val fractionBits: Int = slopeBits + eyeBits
 
-  /** Signed whole blocks, the world and [[VoxelConfig.Around]] blocks on either side of it with room for a leap. */
-  val blockBits: Int = size.logs.max + 2
+  /** Signed whole blocks: the world, [[VoxelConfig.Around]] blocks on either side of it, and a leap. */
+  val blockBits: Int = 33 - Integer.numberOfLeadingZeros(size.axes.max + VoxelConfig.Around + leaps.most)
+
+  /** Signed, of the last border that a ray may cross. */
+  val endBits: Int = blockBits + 1
   val pixels: Int    = width * height
   val pixelBits: Int = 32 - Integer.numberOfLeadingZeros(pixels)
 

@@ -29,7 +29,7 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
 
   val RAY      = Payload(VoxelRay(c))
   val PLACE    = Payload(VoxelPlace(c))
-  val END      = Payload(SInt(whole bits))
+  val END      = Payload(SInt(c.endBits bits))
   val ENTRY    = Payload(UInt(2 bits)) // 3: the ray starts in this block
   val PREVIOUS = Payload(UInt(BlockTable.IdBits bits))
   val SLOT     = Payload(UInt(log2Up(Slots) bits))
@@ -82,7 +82,7 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
       yield line(2)(RAY).fast.mux(0 -> block(k), 1 -> block((k + 2) % 3), default -> block((k + 1) % 3))
     val beyond = Vec((0 to 2).map(k => !xyz(k).msb && (xyz(k) >> c.size.logs(k)) =/= 0))
     line(2)(INSIDE) := !xyz.map(_.msb).reduce(_ || _)
-    line(2)(OUT)    := beyond.asBits.orR || block(0) > line(2)(END)
+    line(2)(OUT)    := beyond.asBits.orR || block(0).resize(c.endBits) > line(2)(END)
     io.memory.address := Cat((2 to 0 by -1).map { k =>
       val low = xyz(k)(c.size.logs(k) - 1 downto 0).asBits
       Mux(line(2)(RAY).mirrored(k), ~low, low)

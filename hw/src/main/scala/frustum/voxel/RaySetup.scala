@@ -39,7 +39,7 @@ case class RaySetup(c: VoxelConfig, tech: Tech) extends Component {
   val FROM      = Payload(Vec(SInt(c.blockBits + c.eyeBits bits), 3)) // the eye, mirrored, fast axis first
   val AT        = Payload(Vec(SInt(c.blockBits + c.fractionBits bits), 2))
   val LOW       = Payload(Bits(2 bits))
-  val END       = Payload(SInt(c.blockBits bits))
+  val END       = Payload(SInt(c.endBits bits))
 
   line(0).driveFrom(io.up)((node, payload) => node(RAY) := payload)
   for (k <- 0 to 2) {
@@ -118,7 +118,7 @@ case class RaySetup(c: VoxelConfig, tech: Tech) extends Component {
     }
     val steep = Vec((0 to 1).map(i => line(11)(SLOPE)(i)(c.slopeBits - 1 downto c.slopeBits - 3)))
     val slabs = Vec(c.slabs.map(n => U(n, 7 bits)))(steep(1) @@ steep(0))
-    line(11)(END) := (from(0) >> c.eyeBits) + slabs.resize(c.blockBits).asSInt
+    line(11)(END) := (from(0) >> c.eyeBits).resize(c.endBits) + slabs.resize(c.endBits).asSInt
   }
 
   line.nodes.last.driveTo(io.down) { (payload, node) =>

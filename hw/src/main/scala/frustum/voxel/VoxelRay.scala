@@ -49,7 +49,7 @@ case class VoxelPlace(c: VoxelConfig) extends Bundle {
 case class RayStart(c: VoxelConfig) extends Bundle {
   val ray   = VoxelRay(c)
   val place = VoxelPlace(c)
-  val end   = SInt(c.blockBits bits)
+  val end   = SInt(c.endBits bits)
 }
 
 /** Something a ray meets: a face, unless it has left the world or the view. `last`: nothing of this ray follows.

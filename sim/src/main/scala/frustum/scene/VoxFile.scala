@@ -8,7 +8,7 @@ import java.nio.file.{Files, NoSuchFileException, Path}
 import java.nio.{ByteBuffer, ByteOrder}
 
 /** Reads MagicaVoxel's .vox (format 150 and 200, github.com/ephtracy/voxel-model): one model of up to 256 blocks a side, z up,
-  * as blocks of the table whose top faces come nearest to the colours of its palette. The model stands in the middle of the world's ground.
+  * as opaque blocks of the table whose top faces come nearest to the colours of its palette. The model stands in the middle of the world's ground.
   */
 object VoxFile {
   private final case class Voxel(x: Int, y: Int, z: Int, color: Int)
@@ -84,7 +84,7 @@ object VoxFile {
       Seq(12, 8, 4).map(at => texels.map(_ >> at & 15).sum * 17.0 / texels.length)
     }
     rgb =>
-      assets.table.ids.minBy { id =>
+      assets.table.ids.filter(assets.table(_).opaque).minBy { id =>
         means(id - 1).zip(Seq(16, 8, 0)).map { case (mean, at) => val d = mean - (rgb >> at & 255); d * d }.sum
       }
   }

@@ -15,7 +15,10 @@ class VoxelPipelineTest extends AnyFunSuite {
 
   private def views(c: VoxelConfig, random: Random, n: Int): Seq[VoxelView] = Seq.fill(n) {
     val eye = c.size.axes.map { size =>
-      val e = random.between(-6.0, size + 6.0)
+      val e = random.nextInt(4) match {
+        case 0 => random.between(-32.0, size + 32.0) // as far away as an eye may be
+        case _ => random.between(-2.0, size + 2.0)
+      }
       if (random.nextInt(4) == 0) e.round.toDouble else e // on a border of blocks
     }
     val (yaw, pitch) = random.nextInt(3) match {
@@ -61,7 +64,7 @@ class VoxelPipelineTest extends AnyFunSuite {
 
   for (
     c <- Seq(
-      VoxelConfig(size = WorldSize(32, 16, 16), width = 40, height = 32),
+      VoxelConfig(size = WorldSize(16, 8, 16), width = 40, height = 32),
       VoxelConfig(size = WorldSize(16, 32, 8), width = 32, height = 24, leaps = LeapField.Octants, distance = 12, fog = false),
       VoxelConfig(size = WorldSize(16, 16, 32), width = 17, height = 19, leaps = LeapField(0, 0), slopeBits = 13, eyeBits = 5),
       VoxelConfig(size = WorldSize(4, 8, 64), width = 24, height = 16, leaps = LeapField(3, 4), slopeBits = 14, distance = 60)
