@@ -22,6 +22,7 @@ final case class LeapField(mask: Int, bits: Int) {
   val groups: Int    = 1 << axes.length
   val payload: Int   = BlockTable.IdBits.max(groups * bits)
   val wordBits: Int  = payload + 1
+  require(wordBits <= 31, s"LeapField: $groups distances of $bits bits make a word of $wordBits bits; at most 31")
 
   /** The group of an octant: its masked bits moved together. */
   def group(octant: Int): Int = axes.zipWithIndex.map { case (axis, i) => (octant >> axis & 1) << i }.sum
@@ -41,7 +42,7 @@ final case class LeapField(mask: Int, bits: Int) {
 
 object LeapField {
 
-  /** A word of 8 bits: the whole world in the iCE40UP5K's single-ported memory. */
+  /** A word of 7 bits, two in one of 16: the whole world in the iCE40UP5K's single-ported memory. */
   val UpDown = LeapField(mask = 4, bits = 3)
 
   /** A word of 17 bits. */
