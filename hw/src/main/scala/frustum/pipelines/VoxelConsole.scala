@@ -23,7 +23,7 @@ case class VoxelConsole(
     mode: VideoMode = VideoMode.Vga640x480,
     format: ColorFormat = ColorFormat.Rgb444,
     divider: Int = 4,
-    baud: Int = 1000000
+    baud: Int = 500000
 ) extends Component {
   require(mode.width == 2 * c.width && mode.height == 2 * c.height, s"a picture of ${c.width} x ${c.height} is not half of ${mode.name}")
   require(divider >= 4, s"a monitor's pixel every $divider clocks; a frame buffer's answer takes 3")
@@ -34,6 +34,10 @@ case class VoxelConsole(
   }
   val uart     = UartCtrl(UartCtrlInitConfig(baud, 7, UartParityType.NONE, UartStopType.ONE), readonly = true)
   val clockMHz = ClockDomain.current.frequency.getValue.toDouble / 1e6
+
+  /** The receiver looks eight times a bit. */
+  val looks = clockMHz * 1e6 / baud / 8
+  require((looks / looks.floor - 1).abs < 0.01, s"$baud baud at $clockMHz MHz: $looks clocks from look to look are not near a whole number")
   val host     = VoxelHost(c, camera, silence = (clockMHz * frustum.spec.VoxelHostCommand.SilenceMicros).toInt)
   val pipeline = VoxelPipeline(c, assets.table, assets.textures, tech)
   val frames   = DoubleFrameBuffer(c.pixels, format.bits)
@@ -42,8 +46,8 @@ case class VoxelConsole(
   }.out
 
   uart.io.uart.rxd := io.uart
-  uart.io.read.queue(16) >> host.io.bytes
-  host.io.edit >> pipeline.io.edit
+  uart.io.read >> host.io.bytes
+  host.io.edit.queue(VoxelConsole.Edits) >> pipeline.io.edit
   io.refused            := host.io.refused
   pipeline.io.camera    := host.io.camera
   pipeline.io.highlight := True
@@ -66,7 +70,13 @@ case class VoxelConsole(
     val drawn = RegInit(False)
     val swap  = blank && drawn && !pipeline.io.busy
     frames.io.swap    := swap
-    pipeline.io.start := RegNext(blank && !pipeline.io.busy, False)
-    drawn setWhen (pipeline.io.start)
+    pipeline.io.start := RegNext(blank && !pipeline.io.busy && !pipeline.io.edit.valid, False)
+    drawn clearWhen swap setWhen pipeline.io.start
   }
+}
+
+object VoxelConsole {
+
+  /** Edits that wait while a picture is drawn; what comes when all are taken is lost and counted as refused. */
+  val Edits = 512
 }

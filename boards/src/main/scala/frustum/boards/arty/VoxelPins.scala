@@ -6,7 +6,7 @@ import spinal.core._
   *
   *   - `clk`: 100 MHz
   *   - `resetn`: the red button, low resets
-  *   - `uart`: what the host sends by USB, 1 Mbaud, 8 bits, no parity, one stop bit
+  *   - `uart`: what the host sends by USB, 500 kbaud, 8 bits, no parity, one stop bit
   *   - `refused`: LD4 to LD7, how many of the host's commands were refused, modulo 16
   *   - `vga`: Digilent's VGA PMOD on JB and JC
   */
