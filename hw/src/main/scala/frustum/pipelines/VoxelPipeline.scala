@@ -49,7 +49,7 @@ case class VoxelPipeline(c: VoxelConfig, kinds: BlockTable, textures: VoxelTextu
   composite.io.down >> io.pixels
   io.step := marcher.io.step
 
-  memory.io.write << io.edit.haltWhen(io.busy).toFlow
+  memory.io.write << io.edit.haltWhen(io.busy).toFlow.stage() // written before the first ray can read
 
   val pick = new Area {
     val hit        = texels.io.down

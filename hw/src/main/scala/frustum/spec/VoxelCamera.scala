@@ -20,4 +20,16 @@ object VoxelCamera {
 
   /** With the sign. */
   val DirectionWidth = DirectionBits + 2
+
+  /** From the middle of the world along +x, `focal` pixels from the screen. */
+  def level(c: VoxelConfig, focal: Int): VoxelCamera = {
+    val step = (1 << DirectionBits) / focal
+    VoxelCamera(
+      IntVector(c.size.x << c.eyeBits - 1, c.size.y << c.eyeBits - 1, c.size.z << c.eyeBits - 1),
+      IntVector(1 << DirectionBits, 0, 0),
+      IntVector(1 << DirectionBits, step * (c.width - 1) / 2, step * (c.height - 1) / 2),
+      IntVector(0, -step, 0),
+      IntVector(0, 0, -step)
+    )
+  }
 }

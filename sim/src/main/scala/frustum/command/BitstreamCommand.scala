@@ -35,7 +35,7 @@ object BitstreamCommand extends CommandLine {
       println(s"$name ${top.name}: target ${top.targetMHz} MHz (${top.core.source}), seeds ${(1 to seeds).mkString(", ")}")
       val flow = top.part match {
         case Part.Ice40Up5k => new Ice40Flow(Ice40Tools.find(say))
-        case Part.Artix7A35 => new Artix7Flow(Artix7Tools.find())
+        case _: Part.Artix7 => new Artix7Flow(Artix7Tools.find())
       }
       val report = flow.run(top, 1 to seeds, directory, say)
       if (report.fits && top.part == Part.Ice40Up5k && report.icetimeMHz.isEmpty)

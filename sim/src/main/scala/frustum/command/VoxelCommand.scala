@@ -1,8 +1,11 @@
 package frustum.command
 
 import frustum.engine.{VoxelDrawn, VoxelRun}
+import frustum.OutputFile
+import frustum.model.voxel.LeapWords
 import frustum.picture.Picture
-import java.nio.file.Path
+import frustum.spec.VoxelHostCommand
+import java.nio.file.{Files, Path}
 import scala.collection.mutable
 
 /** `voxel`: views of a world of blocks, each ray judged against exact marching. */
@@ -28,8 +31,18 @@ object VoxelCommand extends CommandLine {
     val report = VoxelReport.json(name, o.seed, o.engine, config, drawn.toSeq)
     println(DemoTable(Seq(report)))
     val code = VoxelReport.write(o.reportFile, report, drawn.toSeq)
+    o.serial.foreach(writeSerial(_, scene))
     println(s"wrote ${fileOf(o, 0)}${if (views.length > 1) " and so on" else ""} and ${o.reportFile}")
     code
+  }
+
+  /** Every word of the world's memory, then the camera. */
+  private def writeSerial(file: Path, scene: VoxelScene): Unit = {
+    val words = LeapWords(scene.world, scene.config.leaps).zipWithIndex.iterator
+      .flatMap { case (word, address) => VoxelHostCommand.write(address, word) }
+    val bytes = words ++ VoxelHostCommand.camera(scene.views.last.camera(scene.config))
+    OutputFile.write(file)(part => Files.write(part, bytes.map(_.toByte).toArray))
+    println(s"wrote $file")
   }
 
   /** Numbered where there are several. */

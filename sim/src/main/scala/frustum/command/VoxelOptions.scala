@@ -22,6 +22,7 @@ final case class VoxelOptions(
     highlight: Boolean = false,
     engine: String = VoxelRun.Engines.head,
     path: Option[Path] = None,
+    serial: Option[Path] = None,
     out: Path = Paths.get("out", "voxel", "voxel.png"),
     report: Option[Path] = None,
     seed: Long = 1
@@ -83,6 +84,8 @@ object VoxelOptions {
         Arguments.oneOf(VoxelRun.Engines.map(n => n -> n): _*))((o, v) => o.copy(engine = v)),
       option[Path]("path", "FILE", "poses, a line each: x y z yaw pitch; %d in --out is the line's number", Arguments.file)(
         (o, v) => o.copy(path = Some(v))),
+      option[Path]("serial", "FILE", "the world and the last view as a host sends them to arty-voxel (default: none)",
+        Arguments.file)((o, v) => o.copy(serial = Some(v))),
       option[Path]("out", "FILE.png", "(default out/voxel/voxel.png, with --path out/voxel/voxel-%d.png)", Arguments.file)(
         (o, v) => o.copy(out = v)),
       option[Path]("report", "FILE.json", "(default voxel.json beside --out)", Arguments.file)((o, v) => o.copy(report = Some(v))),

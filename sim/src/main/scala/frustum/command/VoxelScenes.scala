@@ -2,9 +2,8 @@ package frustum.command
 
 import frustum.{InputError, InputFile}
 import frustum.host.VoxelView
-import frustum.model.pipelines.VoxelAssets
-import frustum.scene.{BlockFile, Blocks, Hills, VoxFile, VoxelWorld}
-import frustum.spec.{VoxelConfig, WorldSize}
+import frustum.scene.{BlockFile, Hills, VoxFile, VoxelWorld}
+import frustum.spec.{Blocks, VoxelAssets, VoxelConfig, WorldSize}
 import org.joml.Vector3d
 
 /** What the arguments of `voxel` ask for. */

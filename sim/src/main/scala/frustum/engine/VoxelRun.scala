@@ -2,10 +2,10 @@ package frustum.engine
 
 import frustum.host.VoxelView
 import frustum.judge.{Psnr, VoxelCounts, VoxelJudge}
-import frustum.model.pipelines.{VoxelAssets, VoxelModel}
+import frustum.model.pipelines.VoxelModel
 import frustum.reference.voxel.IdealVoxelPicture
 import frustum.scene.VoxelWorld
-import frustum.spec.VoxelConfig
+import frustum.spec.{Blocks, VoxelAssets, VoxelConfig}
 
 /** A view as it was drawn: the engine's picture, the ideal one, and what was found. Pictures are 0xRRGGBB row by row.
   *

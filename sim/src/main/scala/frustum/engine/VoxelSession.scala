@@ -1,7 +1,7 @@
 package frustum.engine
 
-import frustum.model.pipelines.{SeenFace, VoxelAssets}
-import frustum.spec.{IntVector, VoxelCamera, VoxelConfig}
+import frustum.model.pipelines.SeenFace
+import frustum.spec.{IntVector, VoxelAssets, VoxelCamera, VoxelConfig}
 import frustum.voxel.Direction
 import spinal.core.sim._
 

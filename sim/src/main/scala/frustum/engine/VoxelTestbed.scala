@@ -1,9 +1,8 @@
 package frustum.engine
 
 import frustum.blackbox.Tech
-import frustum.model.pipelines.VoxelAssets
 import frustum.pipelines.VoxelPipeline
-import frustum.spec.VoxelConfig
+import frustum.spec.{VoxelAssets, VoxelConfig}
 import frustum.voxel.{CameraPort, PointedAt, WorldWrite}
 import spinal.core._
 import spinal.lib._

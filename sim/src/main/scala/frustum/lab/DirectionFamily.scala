@@ -5,8 +5,8 @@ import frustum.host.VoxelView
 import frustum.judge.VoxelJudge
 import frustum.model.voxel.RaySetup
 import frustum.reference.voxel.IdealVoxelPicture
-import frustum.scene.{Blocks, VoxelWorld}
-import frustum.spec.VoxelConfig
+import frustum.scene.VoxelWorld
+import frustum.spec.{Blocks, VoxelConfig}
 import org.joml.Vector3d
 import scala.util.Random
 

@@ -2,8 +2,8 @@ package frustum.lab
 
 import frustum.host.VoxelView
 import frustum.model.voxel.{LeapWords, Marcher, RaySetup}
-import frustum.scene.{Blocks, Hills}
-import frustum.spec.{LeapField, VoxelConfig}
+import frustum.scene.Hills
+import frustum.spec.{Blocks, LeapField, VoxelConfig}
 import org.joml.Vector3d
 
 /** Leaps of the voxel world: bits of a memory word against steps of a ray, which are clocks, over hills of three seeds. */

@@ -1,8 +1,7 @@
 package frustum.scene
 
 import frustum.{InputError, InputFile}
-import frustum.model.pipelines.VoxelAssets
-import frustum.spec.{BlockTable, BlockType, VoxelTextures}
+import frustum.spec.{BlockArt, BlockTable, BlockType, VoxelAssets, VoxelTextures}
 import java.nio.file.{Files, Path}
 import javax.imageio.ImageIO
 import scala.collection.mutable

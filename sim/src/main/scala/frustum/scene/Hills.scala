@@ -1,6 +1,6 @@
 package frustum.scene
 
-import frustum.spec.WorldSize
+import frustum.spec.{Blocks, WorldSize}
 import scala.math.floor
 import scala.util.Random
 

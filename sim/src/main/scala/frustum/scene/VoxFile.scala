@@ -1,8 +1,7 @@
 package frustum.scene
 
 import frustum.InputError
-import frustum.model.pipelines.VoxelAssets
-import frustum.spec.WorldSize
+import frustum.spec.{VoxelAssets, WorldSize}
 import java.io.IOException
 import java.nio.file.{Files, NoSuchFileException, Path}
 import java.nio.{ByteBuffer, ByteOrder}

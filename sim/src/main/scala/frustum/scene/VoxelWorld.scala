@@ -1,7 +1,7 @@
 package frustum.scene
 
 import frustum.InputError
-import frustum.spec.WorldSize
+import frustum.spec.{Blocks, WorldSize}
 import java.io.IOException
 import java.nio.file.{Files, NoSuchFileException, Path}
 

@@ -80,6 +80,19 @@ class VoxelCommandTest extends AnyFunSuite {
     assert(report("steps").num < report("plainSteps").num && !report.obj.contains("clocksPerFrame"))
   }
 
+  test("--serial: a command for each word, then the camera, each with a sum of 0") {
+    val out  = Files.createTempDirectory("voxel-serial")
+    val file = out.resolve("world.bin")
+    val run  = CommandRunner.run(
+      "voxel", "--engine", "model", "--size", "32x24", "--world-size", "8x8x8", "--serial", file.toString, "--out", out.resolve("p.png").toString
+    )
+    assert(run.code == 0, run)
+    val bytes  = Files.readAllBytes(file)
+    val writes = bytes.dropRight(47).grouped(8).toSeq
+    assert(writes.length == 512 && writes.forall(w => w.head == 'W' && (w.sum & 255) == 0))
+    assert(bytes.takeRight(47).head == 'C' && (bytes.takeRight(47).sum & 255) == 0)
+  }
+
   test("hardware: the model's picture and clocks near to one a step") {
     val out = Files.createTempDirectory("voxel-hardware")
     val run = CommandRunner.run("voxel", "--size", "32x24", "--world-size", "16x16x16", "--out", out.resolve("h.png").toString)

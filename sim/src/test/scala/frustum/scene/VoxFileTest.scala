@@ -1,7 +1,7 @@
 package frustum.scene
 
 import frustum.InputError
-import frustum.spec.WorldSize
+import frustum.spec.{Blocks, WorldSize}
 import org.scalatest.funsuite.AnyFunSuite
 import java.nio.file.Files
 import java.nio.{ByteBuffer, ByteOrder}

@@ -4,8 +4,8 @@ import frustum.host.VoxelView
 import frustum.judge.{VoxelCounts, VoxelJudge}
 import frustum.model.pipelines.VoxelModel
 import frustum.model.voxel.{FaceTexel, RaySetup}
-import frustum.scene.{Blocks, Hills, VoxelWorld}
-import frustum.spec.{IntVector, LeapField, VoxelCamera, VoxelConfig, WorldSize}
+import frustum.scene.{Hills, VoxelWorld}
+import frustum.spec.{Blocks, IntVector, LeapField, VoxelCamera, VoxelConfig, WorldSize}
 import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random

@@ -3,8 +3,8 @@ package frustum.voxel
 import frustum.engine.VoxelSession
 import frustum.host.VoxelView
 import frustum.model.pipelines.VoxelModel
-import frustum.scene.{Blocks, Hills, VoxelWorld}
-import frustum.spec.{LeapField, VoxelConfig, WorldSize}
+import frustum.scene.{Hills, VoxelWorld}
+import frustum.spec.{Blocks, LeapField, VoxelConfig, WorldSize}
 import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random

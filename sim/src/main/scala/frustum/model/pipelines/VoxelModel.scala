@@ -2,19 +2,7 @@ package frustum.model.pipelines
 
 import frustum.model.voxel.{LayerComposite, FaceHit, FaceTexel, LeapWords, Marcher, RaySetup, RayStart}
 import frustum.scene.VoxelWorld
-import frustum.spec.{BlockTable, VoxelCamera, VoxelConfig, VoxelTextures}
-
-/** What a picture of a world is made of besides the world. */
-final case class VoxelAssets(table: BlockTable, textures: VoxelTextures) {
-  for (id <- table.ids; t <- table(id).textures) require(
-    t >= 0 && t < textures.indices.length,
-    s"block '${table(id).name}' has texture $t; there are ${textures.indices.length}"
-  )
-  for (id <- table.ids if table(id).opaque; t <- table(id).textures) require(
-    textures.indices(t).forall(i => (textures.palettes(t)(i) & 15) == 15),
-    s"block '${table(id).name}' is called opaque, but texture $t lets light through"
-  )
-}
+import frustum.spec.{BlockTable, VoxelAssets, VoxelCamera, VoxelConfig, VoxelTextures}
 
 /** A face in view, in the world's own coordinates. */
 final case class SeenFace(x: Int, y: Int, z: Int, id: Int, face: Int, u: Int, v: Int) {

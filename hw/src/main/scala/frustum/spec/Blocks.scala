@@ -1,7 +1,4 @@
-package frustum.scene
-
-import frustum.model.pipelines.VoxelAssets
-import frustum.spec.{BlockTable, BlockType}
+package frustum.spec
 
 /** The 24 kinds of block of the workbench. */
 object Blocks {

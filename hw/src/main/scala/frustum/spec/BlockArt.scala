@@ -1,6 +1,4 @@
-package frustum.scene
-
-import frustum.spec.VoxelTextures
+package frustum.spec
 
 /** The 32 textures of the workbench's blocks, drawn by code: two ramps of colours each, and a shade from 0 to 1 in one of
   * them for each texel.
