@@ -1,5 +1,6 @@
 package frustum.pipelines
 
+import frustum.blackbox.Tech
 import frustum.display.{OrderedDither, PixelScanner, TextOverlay, VideoBus}
 import frustum.game.{PongButtons, PongGame}
 import frustum.input.Buttons
@@ -35,7 +36,7 @@ case class PongPipelineConfig(
 /** 3-D pong to a monitor, one pixel a clock: buttons, game, ray caster, score, dither. What is drawn changes in the
   * vertical blank alone; `video` is registered and comes `latencyClocks` after the scanner's position.
   */
-case class PongPipeline(config: PongPipelineConfig) extends Component {
+case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic) extends Component {
   import config.{format, mode, scene}
   val io = new Bundle {
     val buttons = in(PongButtons()) // high = pressed, asynchronous, bouncing
@@ -52,7 +53,7 @@ case class PongPipeline(config: PongPipelineConfig) extends Component {
   game.io.tick := RegNext(frames.willOverflow) init False
   game.io.buttons.assignFromBits(buttons.io.held)
 
-  val ray            = RayPipeline(RayConfig(scene, mode))
+  val ray            = RayPipeline(RayConfig(scene, mode), tech)
   private val ticked = PongGame.TickClocks + 2 // clocks until a tick that `frameEnd` starts is done
   ray.io.latch                                  := Delay(scanner.io.frameEnd, ticked, init = False)
   ray.io.line                                   := scanner.io.line
