@@ -48,7 +48,7 @@ case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Com
 
   val setup            = RaySetup(program)
   val setUpClocks: Int = setup.frameClocks
-  val lineClocks: Int  = setup.lineClocks + latency
+  val lineClocks: Int  = setup.lineClocks + latency + 1
   require(
     setUpClocks <= mode.blankClocks - mode.hTotal,
     s"set-up of $setUpClocks clocks in a blank of ${mode.blankClocks}"
@@ -57,12 +57,17 @@ case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Com
   require(setup.rowClocks <= mode.width, s"row steps of ${setup.rowClocks} clocks in a row of ${mode.width}")
 
   setup.io.latch := io.latch
-  setup.io.line  := Delay(io.line, latency, init = False) // the last walker has done the row before
   for ((to, i) <- setup.io.inputs.zip(program.inputs))
     to := (if (i.isSphere) io.motion.spheres else io.motion.quads) (i.index)(i.axis).resized
 
   val line                 = new LockstepPipeline(latency)
   line(0).valid         := io.up.valid
+
+  /** The last walker must have done the row before. */
+  val waiting = RegInit(False)
+  setup.io.line := waiting && !line.nodes.last.isValid
+  when(setup.io.line)(waiting := False)
+  when(io.line)(waiting := True)
 
   /** Node at which a form is looked at. */
   private def node(form: String): Int = {
@@ -80,6 +85,7 @@ case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Com
   }.toMap
 
   line.nodes.last.ready := True
+  require(latency < mode.width, s"latency $latency in rows of ${mode.width}")
 
   private val widthN     = (0 to 2).map(a => walkers(s"direction$a").getWidth).max + 1
   private val widthU     = walkers.collect { case (n, v) if n.startsWith("across") => v.getWidth }.max

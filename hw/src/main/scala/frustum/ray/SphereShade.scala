@@ -1,8 +1,8 @@
 package frustum.ray
 
 import frustum.blackbox.Tech
-import frustum.fixed.{FunctionUnit, Multiplier16, WideMultiplier}
-import frustum.spec.RayShade
+import frustum.fixed.{FunctionUnit, MemoryDelay, Multiplier16, WideMultiplier}
+import frustum.spec.{RayShade, ShadeWindow}
 import spinal.core._
 import spinal.lib._
 
@@ -18,7 +18,7 @@ case class SphereShade(format: RayShade, tech: Tech) extends Component {
   val litAge: Int       = towardsAge + Multiplier16.Latency
   val squareAge: Int    = litAge + 1 - FunctionUnit.Latency
   private val numberAge = litAge + 1 + Multiplier16.Latency
-  val powerAge: Int     = numberAge + 1
+  val powerAge: Int     = numberAge
   val latency: Int      = powerAge + 2 + FunctionUnit.Latency + Multiplier16.Latency
 
   val io = new Bundle {
@@ -35,25 +35,24 @@ case class SphereShade(format: RayShade, tech: Tech) extends Component {
   private def top(v: UInt, bits: Int): UInt =
     if (v.getWidth >= bits) v >> (v.getWidth - bits) else v << (bits - v.getWidth)
 
-  /** How many of the upper groups of four bits are zero, at most `limit`. */
-  private def zeros(v: UInt, limit: Int): UInt = {
-    val n = UInt(log2Up(limit + 1) bits)
-    n := limit
-    for (k <- limit - 1 to 0 by -1) when(v(v.high - 4 * k downto v.high - 4 * k - 3) =/= 0)(n := k)
+  /** How many of the upper groups of `w.step` bits are zero, at most `w.last`. */
+  private def zeros(v: UInt, w: ShadeWindow): UInt = {
+    val n = UInt(log2Up(w.last + 1) bits)
+    n := w.last
+    for (k <- w.last - 1 to 0 by -1) when(v(v.high - w.step * k downto v.high - w.step * (k + 1) + 1) =/= 0)(n := k)
     n
   }
 
-  /** 16 bits of v after a shift to the left by 4 n. */
-  private def window(v: UInt, n: UInt, limit: Int): UInt =
-    Vec((0 to limit).map(k => top(v |<< (4 * k), 16))).read(n.resize(log2Up(limit + 1)))
+  /** 16 bits of v after a shift to the left by n steps. */
+  private def window(v: UInt, n: UInt, w: ShadeWindow): UInt =
+    Vec((0 to w.last).map(k => top(v |<< (w.step * k), 16))).read(n)
 
   val root = new Area {
-    val y     = top(io.q, 28)
-    val n     = zeros(y, 3)
+    val n     = zeros(io.q, RayShade.RootWindow)
     val table = FunctionUnit(format.root, tech)
-    table.io.x := RegNext(window(y, n, 3))
+    table.io.x := RegNext(window(io.q, n, RayShade.RootWindow))
     private val late = Delay(n, towardsAge)
-    val value = Vec((0 to 3).map(k => table.io.y |>> (2 * k))).read(late)
+    val value = Vec((0 to RayShade.RootWindow.last).map(k => table.io.y |>> (RayShade.RootWindow.step / 2 * k))).read(late)
   }
   val reciprocal = FunctionUnit(format.reciprocal, tech)
   reciprocal.io.x := top(io.square, 16)
@@ -68,27 +67,30 @@ case class SphereShade(format: RayShade, tech: Tech) extends Component {
     val quotient = WideMultiplier(tech, numeratorBits)
     quotient.io.a := numerator
     quotient.io.b := reciprocal.io.y
-    val value = RegNext((quotient.io.product >> numberShift).resize(numberBits))
+    val value = (quotient.io.product >> numberShift).resize(numberBits)
   }
   val distance = new Area {
     val square = RegNext((io.power << fraction) - (number.value << 1))
     val m      = RegNext(number.value)
     val lit    = m > 0 && square > 0 && RegNext(io.power > 0)
     val d      = square.asUInt.resize(distanceBits)
-    val n      = zeros(d, 4)
+    val n      = zeros(d, RayShade.DistanceWindow)
     val table  = FunctionUnit(format.distance, tech)
-    table.io.x := RegNext(window(d, n, 4))
-    val scaled = RegNext(Vec((0 to 4).map(k => right(m, scaleShift - 2 * k).resize(16).asBits)).read(n))
+    table.io.x := RegNext(window(d, n, RayShade.DistanceWindow))
+    val scaled = Vec(
+      (0 to RayShade.DistanceWindow.last).map(k => right(m, scaleShift - RayShade.DistanceWindow.step / 2 * k).resize(16).asBits)
+    ).read(n)
     val light  = Delay(lit, 1 + FunctionUnit.Latency + Multiplier16.Latency)
   }
   val scale = Multiplier16(tech, signedA = false, signedB = false)
   scale.io.enable := True
-  scale.io.a      := Delay(distance.scaled, FunctionUnit.Latency)
+  scale.io.a      := MemoryDelay(distance.scaled, 1 + FunctionUnit.Latency)
   scale.io.b      := distance.table.io.y.asBits
   private val product = scale.io.product.asUInt
   io.level := Mux(
     !distance.light,
     U(0),
-    product(29 downto 20) | U(RayShade.LevelBits bits, default -> (product >> 30).orR)
+    product(RayShade.LevelShift, RayShade.LevelBits bits) |
+      U(RayShade.LevelBits bits, default -> (product >> (RayShade.LevelShift + RayShade.LevelBits)).orR)
   )
 }

@@ -24,7 +24,7 @@ final class RayShade(scene: RayScene, program: RayProgram, squareLow: Long, squa
   private def bits(v: Long) = BigInt(v).bitLength
   private def form(name: String) = scene.spheres.indices.map(i => program.form(s"$name$i").width).max
 
-  /** Root of q: q < 2^rootBits, its upper 28 bits are shifted by 0, 4, 8 or 12 to 16 that enter the table; 16 bits of
+  /** Root of q: q < 2^rootBits, its 16 bits from the [[RayShade.RootWindow]] enter the table; 16 bits of
     * sqrt(q) / 2^(rootBits / 2).
     */
   val rootBits: Int       = 2 * ((bits(squareHigh * radius * radius) + 1) / 2)
@@ -52,13 +52,14 @@ final class RayShade(scene: RayScene, program: RayProgram, squareLow: Long, squa
   val numberBits: Int     = RayShade.NumberBits + 2
   val numberShift: Int    = reciprocalShift + squareBits - numeratorShift - fraction
 
-  /** 1 / |P - hit|: its square, `distanceBits`, is shifted by 0, 4, .. 16 to the 16 bits that enter the table; m by half
-    * of that and `scaleShift` to the right, so that it fits 16 bits as well. Their product's bits 29..20 are the level.
+  /** 1 / |P - hit|: its square, `distanceBits`, has 16 bits from the [[RayShade.DistanceWindow]] enter the table; m is
+    * shifted by half as much and `scaleShift` to the right, so that it fits 16 bits as well. Bits 27..18 of their product
+    * are the level.
     */
   val distanceBits: Int      = powerBits + fraction
   private val radiusBits     = bits(radius)
   val scaleShift: Int        = fraction + radiusBits + powerBits / 2 - 16
-  val distance: FunctionTable = new FunctionTable(false, x => 16384 / sqrt(x))
+  val distance: FunctionTable = new FunctionTable(false, x => 4096 / sqrt(x))
 
   /** Colour of a sphere by level. */
   def ramp(sphere: Int): IndexedSeq[Int] = {
@@ -72,11 +73,18 @@ final class RayShade(scene: RayScene, program: RayProgram, squareLow: Long, squa
   require(numberShift >= 0, s"shading: numbers of ${numberBits} bits are too fine for rays of squared length $squareHigh")
 }
 
+/** Small numbers keep their bits by shifts to the left of 0, 1, .. `last` times `step`, while the bits so lost are zero. */
+case class ShadeWindow(step: Int, last: Int)
+
 object RayShade {
-  val NumeratorBits = 26
-  val NumberBits    = 23
+  val NumeratorBits = 24
+  val NumberBits    = 21
   val LevelBits     = 10
   val Levels        = 1 << LevelBits
+  val LevelShift    = 18
+
+  val RootWindow     = ShadeWindow(step = 6, last = 1)
+  val DistanceWindow = ShadeWindow(step = 4, last = 3)
 
   /** Rays' squared lengths within a picture may differ by this factor, beyond which the reciprocal is held. */
   val SquareRange = 16
