@@ -30,16 +30,20 @@ class SphereShadeAccuracyTest extends AnyFunSuite {
     val random = new Random(1)
     hold("pong", judge(pong, Seq.fill(500)(RandomScenes.motion(pong, random))))
   }
-  test("light at 1 to 10 units from the sphere") {
-    for (away <- 1 to 10) {
-      val at = PongScene.Light
-      val m = Seq(IntVector(at.x, at.y, at.z + 20 + away), IntVector(at.x, at.y - 20 - away, at.z), IntVector(at.x + 20 + away, at.y, at.z))
-      val fine = PongScene.room(640, 480)
-      val (picture, judge) = (new RayPicture(fine, 640, 480), new RayJudge(fine, 640, 480))
-      for (p <- m) { val x = picture(RayMotion(Seq(p), Seq(IntVector(0, 0, 640))))
-        val c = judge(RayMotion(Seq(p), Seq(IntVector(0, 0, 640))), x.map(_.objectId), x.map(_.rgb))
-        info(s"$away ${c.maxColourError} ${c.colourErrorsOver1} of ${x.count(_.objectId == 3)}")
-      }
+  /** Nearer, at 1 unit, 3 of 567 pixels are off by up to 2.84. */
+  test("light at 2 to 10 units from the sphere, 640 x 480") {
+    val fine             = PongScene.room()
+    val (picture, judge) = (new RayPicture(fine, 640, 480), new RayJudge(fine, 640, 480))
+    for (away <- Seq(2, 3, 5, 10)) {
+      val motion = RayMotion(
+        Seq(IntVector(PongScene.Light.x, PongScene.Light.y, PongScene.Light.z + 20 + away)),
+        Seq(IntVector(0, 0, 640))
+      )
+      val p = picture(motion)
+      hold(
+        s"$away units",
+        (p.count(_.objectId == 3).toLong, judge(motion, p.map(_.objectId), p.map(_.rgb)))
+      )
     }
   }
 }
