@@ -41,6 +41,7 @@ lazy val sim = (project in file("sim"))
       "org.joml" % "joml" % "1.10.8",
       "com.github.scopt" %% "scopt" % "4.1.0",
       "me.tongfei" % "progressbar" % "0.10.1",
+      "org.knowm.xchart" % "xchart" % "3.8.8",
       "org.scalatest" %% "scalatest" % "3.2.20" % Test
     ),
     Compile / run / baseDirectory := (ThisBuild / baseDirectory).value,
@@ -63,7 +64,7 @@ writeClasspath := {
 }
 
 /** Every command of the workbench by its name in sbt's own shell; alone on the command line ./sbt takes them itself. */
-val commandNames = Seq("demo", "render", "verilog", "bitstream", "bench", "pong", "play")
+val commandNames = Seq("demo", "render", "verilog", "bitstream", "bench", "pong", "voxel", "play", "budgets", "chart")
 Global / commands ++= commandNames.map { name =>
   Command.args(name, "<args>") { (state, args) =>
     val quoted = args.map(a => if (a.exists(_.isWhitespace)) "\"" + a + "\"" else a)

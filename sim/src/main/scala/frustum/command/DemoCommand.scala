@@ -1,6 +1,6 @@
 package frustum.command
 
-import frustum.engine.{EngineOptions, Engines}
+import frustum.engine.{EngineOptions, Engines, VoxelRun}
 import frustum.host.DrawOptions
 import frustum.judge.FrameVerdict
 import frustum.picture.Picture
@@ -57,11 +57,13 @@ object DemoCommand extends CommandLine {
     }
     // Pong has no other engine.
     val pong    = Option.when(Engines.byName(o.engine).atPins)(PongDemo(o.out, o.seed))
-    val reports = shown.map(_._2) ++ pong.map(_._1)
+    val voxel   = Option.when(VoxelRun.Engines.contains(o.engine))(VoxelDemo(o.out, o.engine))
+    val others  = pong ++ voxel
+    val reports = shown.map(_._2) ++ others.map(_._1)
     OutputFile.writeText(o.out.resolve("index.html"), DemoPage(o.out, reports))
     println(DemoTable(reports))
     println(s"wrote ${o.out.resolve("index.html")}")
-    (shown.map { case (f, _) => f.verdict(o.out.resolve(s"${f.scene}.json")) } ++ pong.map(_._2)).max
+    (shown.map { case (f, _) => f.verdict(o.out.resolve(s"${f.scene}.json")) } ++ others.map(_._2)).max
   }
 
   private def writePictures(out: Path, scene: String, config: RasterConfig, v: FrameVerdict): Unit =

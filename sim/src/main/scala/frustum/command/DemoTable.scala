@@ -44,7 +44,10 @@ object DemoTable {
 
   /** Everything of a ray caster that is to be exact. */
   private def rays(r: ujson.Obj) = {
-    val keys = Seq("silhouettePixelsWrong", "shadowPixelsWrong", "objectPixelsWrong", "checkerCellsWrong").flatMap(value(r, _))
+    val keys = Seq(
+      "silhouettePixelsWrong", "shadowPixelsWrong", "objectPixelsWrong", "checkerCellsWrong", // pong
+      "blocksWrong", "facesWrong", "texelsWrong"                                              // voxel
+    ).flatMap(value(r, _))
     if (keys.isEmpty) "-" else format("%,.0f", keys.map(_.num).sum)
   }
 

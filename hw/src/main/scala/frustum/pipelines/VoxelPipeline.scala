@@ -1,0 +1,81 @@
+package frustum.pipelines
+
+import frustum.blackbox.Tech
+import frustum.spec.{BlockTable, VoxelConfig, VoxelTextures}
+import frustum.voxel._
+import spinal.core._
+import spinal.lib._
+
+/** Pictures of a world of blocks, a word of the world's memory a clock:
+  * {{{
+  * PixelRays -> RaySetup -> Marcher <-> WorldMemory
+  *                             Marcher -> FaceTexel -> LayerComposite -> pixels, as they are done
+  * }}}
+  * `start` is taken while not `busy` and a frame is drawn from the camera as it is then; edits wait until the frame is
+  * drawn. Before the pixels the block in the screen's middle is found, which is drawn highlighted if `highlight` says so.
+  *
+  * @param reach blocks that can be pointed at are at most this far away
+  */
+case class VoxelPipeline(c: VoxelConfig, kinds: BlockTable, textures: VoxelTextures, tech: Tech, reach: Int = 6)
+    extends Component {
+  val io = new Bundle {
+    val start     = in Bool ()
+    val camera    = in(CameraPort(c))
+    val highlight = in Bool ()
+    val edit      = slave(Stream(WorldWrite(c)))
+    val busy      = out Bool ()
+    val pixels    = master(Flow(VoxelColor(c)))
+    val pointedAt = out(PointedAt(c))
+    val step      = out Bool ()
+  }
+  val rays      = PixelRays(c)
+  val setup     = RaySetup(c, tech)
+  val marcher   = Marcher(c, kinds)
+  val memory    = WorldMemory(c, tech)
+  val texels    = FaceTexel(c, Marcher.Slots)
+  val composite = LayerComposite(c, kinds, textures, Marcher.Slots)
+
+  val camera = RegNextWhen(io.camera, io.start && !io.busy)
+  rays.io.start  := RegNext(io.start && !io.busy, False)
+  rays.io.camera := camera
+  setup.io.eye   := camera.eye
+  texels.io.eye  := camera.eye
+
+  rays.io.down >> setup.io.up
+  setup.io.down >> marcher.io.up
+  marcher.io.memory <> memory.io.read
+  marcher.io.hits >> texels.io.up
+  texels.io.down >> composite.io.up
+  composite.io.down >> io.pixels
+  io.step := marcher.io.step
+
+  memory.io.write << io.edit.haltWhen(io.busy).toFlow
+
+  val pick = new Area {
+    val hit        = texels.io.down
+    val selectable = BlockFlags(kinds).where(_.selectable)(hit.id)
+    val found      = Reg(PointedAt(c))
+    found.valid init False
+    when(rays.io.start)(found.valid := False)
+    when(hit.valid && hit.pick && hit.shown && selectable && !found.valid && hit.far <= 256 * reach * reach) {
+      found.valid := True
+      found.block := hit.block
+      found.face  := hit.face
+    }
+    rays.io.picked := RegNext(hit.valid && hit.pick && hit.last, False)
+  }
+  io.pointedAt := pick.found
+  composite.io.pointedAt := pick.found
+  composite.io.pointedAt.valid.removeAssignments() := pick.found.valid && io.highlight
+
+  val drawing = new Area {
+    val busy = RegInit(False) setWhen io.start
+    val left = Reg(UInt(c.pixelBits bits))
+    when(io.start && !busy)(left := c.pixels - 1)
+    when(io.pixels.valid) {
+      left := left - 1
+      when(left === 0)(busy := False)
+    }
+    io.busy := busy
+  }
+}

@@ -1,0 +1,161 @@
+package frustum.voxel
+
+import frustum.fixed.LockstepPipeline
+import frustum.spec.{BlockTable, VoxelConfig}
+import spinal.core._
+import spinal.lib._
+import spinal.lib.misc.pipeline._
+
+/** Marches [[Marcher.Slots]] rays in turn, a step of one of them each clock: a pipeline that feeds its own entrance, where a new
+  * ray enters whenever one has ended. It never waits, and neither may what takes its hits.
+  *
+  * A step looks at the block the ray is in. From air it goes on to the far side of the largest cube of air that
+  * the memory tells of, as far as borders of the fast axis go; from other blocks to the next one, whose border is
+  * found by whether positions cross a whole number before the next border of the fast axis, and if both do, by
+  * comparing the products of the ways and the slopes, which is exact. The model is `frustum.model.voxel.Marcher`.
+  */
+case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
+  import Marcher._
+  private val table = BlockFlags(kinds)
+  val io = new Bundle {
+    val up     = slave(Stream(RayStart(c)))
+    val memory = master(WorldReadBus(c))
+    val hits   = master(Flow(FaceHit(c, Slots)))
+    val step   = out Bool () // a step is made
+  }
+  private val whole = c.blockBits
+  private val shift = c.fractionBits
+  private def floor(at: SInt): SInt = at >> shift
+
+  val RAY      = Payload(VoxelRay(c))
+  val PLACE    = Payload(VoxelPlace(c))
+  val END      = Payload(SInt(c.endBits bits))
+  val ENTRY    = Payload(UInt(2 bits)) // 3: the ray starts in this block
+  val PREVIOUS = Payload(UInt(BlockTable.IdBits bits))
+  val SLOT     = Payload(UInt(log2Up(Slots) bits))
+  val BLOCK    = Payload(Vec(SInt(whole bits), 3)) // fast axis first
+  val INSIDE, OUT, FACE, LAST = Payload(Bool())
+  val ID       = Payload(UInt(BlockTable.IdBits bits))
+  val REACH    = Payload(UInt(5 bits))
+  val RUN      = Payload(Vec(UInt(c.slopeBits + 5 bits), 2)) // of the slopes over the reach
+  val TO       = Payload(Vec(UInt(shift + 1 bits), 2)) // ways to the next borders of the other axes
+  val FAR      = Payload(Vec(SInt(whole + shift bits), 2))
+  val CROSS    = Payload(Vec(UInt(shift + 1 + c.slopeBits bits), 2))
+  val FITS, FIRST = Payload(Bool())
+  val BACK     = Payload(Vec(SInt(whole + shift bits), 2))
+
+  val line = new LockstepPipeline(Slots)
+  val tail = line.nodes.last
+
+  /** A ray that goes round, or a new one. */
+  val entrance = new Area {
+    val again = tail.isValid && !tail(LAST)
+    val slot  = RegInit(U(0, log2Up(Slots) bits))
+    slot := Mux(slot === Slots - 1, U(0), slot + 1)
+    val next = VoxelPlace(c) // after the step that ends at the tail
+    val leap = tail(FITS) || tail(REACH) =/= 1
+    next.plane := tail(PLACE).plane + Mux(leap, tail(REACH) - (!tail(FITS)).asUInt, U(0)).resize(whole).asSInt
+    for (i <- 0 to 1) {
+      next.at(i)   := Mux(tail(FITS), tail(FAR)(i), Mux(leap, tail(BACK)(i), tail(PLACE).at(i)))
+      next.past(i) := !leap && (tail(PLACE).past(i) || (tail(FIRST) ^ Bool(i == 1)))
+    }
+    io.up.ready     := !again
+    line(0).valid    := again || io.up.valid
+    line(0)(RAY)      := Mux(again, tail(RAY), io.up.ray)
+    line(0)(PLACE)    := Mux(again, next, io.up.place)
+    line(0)(END)      := Mux(again, tail(END), io.up.end)
+    line(0)(ENTRY)    := Mux(again, Mux(leap, U(0, 2 bits), Mux(tail(FIRST), U(1), U(2))), U(3))
+    line(0)(PREVIOUS) := Mux(again, tail(ID), U(0))
+    line(0)(SLOT)     := slot
+    io.step           := line(0).isValid
+  }
+
+  val where = new Area {
+    val place = line(1)(PLACE)
+    line(1)(BLOCK)(0) := place.plane
+    for (i <- 0 to 1) line(1)(BLOCK)(i + 1) := floor(place.at(i)) + place.past(i).asUInt.resize(whole).asSInt
+  }
+
+  val look = new Area {
+    val block = line(2)(BLOCK)
+    val xyz   = for (k <- 0 to 2)
+      yield line(2)(RAY).fast.mux(0 -> block(k), 1 -> block((k + 2) % 3), default -> block((k + 1) % 3))
+    val beyond = Vec((0 to 2).map(k => !xyz(k).msb && (xyz(k) >> c.size.logs(k)) =/= 0))
+    line(2)(INSIDE) := !xyz.map(_.msb).reduce(_ || _)
+    line(2)(OUT)    := beyond.asBits.orR || block(0).resize(c.endBits) > line(2)(END)
+    io.memory.address := Cat((2 to 0 by -1).map { k =>
+      val low = xyz(k)(c.size.logs(k) - 1 downto 0).asBits
+      Mux(line(2)(RAY).mirrored(k), ~low, low)
+    }).asUInt
+  }
+
+  val decide = new Area {
+    val node   = line(2 + MemoryLatency)
+    val word   = io.memory.word
+    val block  = node(INSIDE) && word.msb
+    val id     = word(BlockTable.IdBits - 1 downto 0).asUInt
+    val joins  = table.where(_.joins)(id)
+    val opaque = table.where(_.opaque)(id)
+    val reach  = if (c.leaps.bits == 0) U(1, 5 bits)
+    else {
+      val distances = word(c.leaps.groups * c.leaps.bits - 1 downto 0).subdivideIn(c.leaps.groups slices)
+      def group     = Cat(c.leaps.axes.map(axis => node(RAY).mirrored(axis))).asUInt
+      (if (c.leaps.groups == 1) distances(0) else distances(group)).asUInt.resize(5) + 1
+    }
+    val face = block && node(ENTRY) =/= 3 && !(joins && id === node(PREVIOUS))
+    node(ID)    := Mux(block && !node(OUT), id, U(0))
+    node(FACE)  := face && !node(OUT)
+    node(LAST)  := node(OUT) || face && opaque
+    node(REACH) := Mux(node(INSIDE) && !word.msb, reach, U(1))
+  }
+
+  val steps = new Area {
+    val node = line(4)
+    for (i <- 0 to 1) {
+      node(RUN)(i) := node(REACH) * node(RAY).slopes(i)
+      val fraction = node(PLACE).at(i)(shift - 1 downto 0).asUInt
+      node(TO)(i) := U(1 << shift, shift + 1 bits) - fraction.resize(shift + 1) - node(RAY).low(i).asUInt
+    }
+    io.hits.valid := node.isValid && (node(FACE) || node(LAST))
+    io.hits.ray   := node(RAY)
+    io.hits.slot  := node(SLOT)
+    io.hits.face  := node(FACE)
+    io.hits.last  := node(LAST)
+    io.hits.id    := node(ID)
+    io.hits.entry := node(ENTRY)
+    io.hits.at    := node(PLACE).at
+    for (k <- 0 to 2) io.hits.block(k) := node(BLOCK)(k).asUInt.resized
+  }
+
+  val far = new Area {
+    val node = line(5)
+    for (i <- 0 to 1) {
+      node(FAR)(i)   := node(PLACE).at(i) + (node(RUN)(i) ## B(0, c.eyeBits bits)).asUInt.resize(whole + shift).asSInt
+      node(CROSS)(i) := node(TO)(i) * node(RAY).slopes(1 - i)
+    }
+  }
+
+  val choose = new Area {
+    val node    = line(6)
+    val crosses = Vec(Bool(), 2)
+    val fits    = Vec(Bool(), 2)
+    for (i <- 0 to 1) {
+      node(BACK)(i) := node(FAR)(i) - (node(RAY).slopes(i) ## B(0, c.eyeBits bits)).asUInt.resize(whole + shift).asSInt
+      fits(i)    := floor(node(FAR)(i)) - node(BLOCK)(i + 1) < node(REACH).resize(whole).asSInt
+      crosses(i) := !node(PLACE).past(i) && floor(node(FAR)(i)) =/= floor(node(PLACE).at(i))
+    }
+    val before = Mux(node(RAY).fast =/= 1, node(CROSS)(0) <= node(CROSS)(1), node(CROSS)(0) < node(CROSS)(1))
+    node(FITS)  := fits.asBits.andR
+    node(FIRST) := crosses(0) && (!crosses(1) || before)
+  }
+  line.build()
+}
+
+object Marcher {
+
+  /** Rays at work: stages of the ring. */
+  val Slots = 7
+
+  /** Clocks from address to word. */
+  val MemoryLatency = 1
+}

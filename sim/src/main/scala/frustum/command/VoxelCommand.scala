@@ -1,0 +1,41 @@
+package frustum.command
+
+import frustum.engine.{VoxelDrawn, VoxelRun}
+import frustum.picture.Picture
+import java.nio.file.Path
+import scala.collection.mutable
+
+/** `voxel`: views of a world of blocks, each ray judged against exact marching. */
+object VoxelCommand extends CommandLine {
+  val name    = "voxel"
+  val summary = "draws a world of blocks; writes out/voxel/voxel.png and a report"
+
+  def run(args: Seq[String]): Int = Arguments.parse(name, VoxelOptions.parser, args, VoxelOptions()).fold(0)(voxel)
+
+  private def voxel(o: VoxelOptions): Int = {
+    val scene = VoxelScenes(o)
+    import scene.{config, views}
+    println(s"voxel: ${views.length} view(s) of a world of ${config.size}, ${config.width}x${config.height}, ${o.engine}")
+    val drawn    = mutable.ArrayBuffer.empty[VoxelDrawn]
+    val progress = Progress("voxel", views.length)
+    try new VoxelRun(config, scene.assets, scene.world, o.engine, o.highlight, o.seed).draw(views) { view =>
+        val file = fileOf(o, drawn.length)
+        Picture.writePng(file, config.width, config.height, view.picture)
+        drawn += view
+        progress.step()
+      }
+    finally progress.close()
+    val report = VoxelReport.json(name, o.seed, o.engine, config, drawn.toSeq)
+    println(DemoTable(Seq(report)))
+    val code = VoxelReport.write(o.reportFile, report, drawn.toSeq)
+    println(s"wrote ${fileOf(o, 0)}${if (views.length > 1) " and so on" else ""} and ${o.reportFile}")
+    code
+  }
+
+  /** Numbered where there are several. */
+  private def fileOf(o: VoxelOptions, n: Int): Path = {
+    val name     = o.out.getFileName.toString
+    val numbered = if (o.path.isEmpty || name.contains("%d")) name else name.replaceFirst("(\\.[^.]*)?$", "-%d$1")
+    o.out.resolveSibling(numbered.replace("%d", n.toString))
+  }
+}

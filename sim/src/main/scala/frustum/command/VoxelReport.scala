@@ -1,0 +1,62 @@
+package frustum.command
+
+import frustum.{BuildInfo, OutputFile}
+import frustum.engine.VoxelDrawn
+import frustum.judge.{Psnr, VoxelCounts}
+import frustum.spec.VoxelConfig
+import java.nio.file.Path
+
+/** The JSON report of `voxel`, and of the world of blocks in `demo`: sums over the views, times per view. */
+object VoxelReport {
+
+  /** What the figures per second assume until a top of it is placed. */
+  val TargetMHz = 100.0
+
+  def json(command: String, seed: Long, engine: String, c: VoxelConfig, drawn: Seq[VoxelDrawn]): ujson.Obj = {
+    val report = ujson.Obj(
+      "command" -> command,
+      "version" -> BuildInfo.version,
+      "seed"    -> seed.toDouble,
+      "engine"  -> engine,
+      "scene"   -> "voxel",
+      "width"   -> c.width,
+      "height"  -> c.height,
+      "frames"  -> drawn.length
+    )
+    sum(drawn).foreach { n =>
+      report("rays") = n.rays.toDouble
+      report("steps") = n.steps.toDouble
+      report("stepsPerRay") = n.steps.toDouble / n.rays
+      report("plainSteps") = n.plainSteps.toDouble
+      if (drawn.forall(_.clocks.isDefined)) {
+        val clocks = drawn.flatMap(_.clocks).sum.toDouble
+        report("clocksPerFrame") = clocks / drawn.length
+        report("clocksPerStep") = clocks / n.steps
+        report("framesPerSecond") = TargetMHz * 1e6 * drawn.length / clocks
+        report("clockMHz") = TargetMHz
+        report("clockSource") = "target"
+      }
+      report("blocksWrong") = n.blocksWrong.toDouble
+      report("facesWrong") = n.facesWrong.toDouble
+      report("texelsWrong") = n.texelsWrong.toDouble
+      report("maxDirectionErrorPixels") = n.maxDirectionErrorPixels
+    }
+    report("psnr") = Psnr.of(drawn.map(_.squaredError).sum, c.pixels.toLong * drawn.length)
+      .fold[ujson.Value](ujson.Null)(ujson.Num(_))
+    if (drawn.forall(_.pixelsDifferent.isDefined))
+      report("hardwareVsModel") = ujson.Obj("pixelsDifferent" -> drawn.flatMap(_.pixelsDifferent).sum.toDouble)
+    report
+  }
+
+  private def sum(drawn: Seq[VoxelDrawn]): Option[VoxelCounts] = drawn.flatMap(_.counts).reduceOption(_ + _)
+
+  /** Writes the report and says what must be zero and is not; gives the exit code. */
+  def write(file: Path, report: ujson.Obj, drawn: Seq[VoxelDrawn]): Int = {
+    OutputFile.writeText(file, ujson.write(report, indent = 2) + "\n")
+    val different = drawn.flatMap(_.pixelsDifferent).sum
+    val failures  = sum(drawn).toSeq.flatMap(_.failures) ++
+      Option.when(different > 0)(s"$different pixels of the hardware are not the model's")
+    failures.foreach(f => Console.err.println(s"error: voxel: $f; see $file"))
+    if (failures.isEmpty) 0 else 1
+  }
+}

@@ -1,0 +1,70 @@
+package frustum.engine
+
+import frustum.host.VoxelView
+import frustum.judge.{Psnr, VoxelCounts, VoxelJudge}
+import frustum.model.pipelines.{VoxelAssets, VoxelModel}
+import frustum.reference.voxel.IdealVoxelPicture
+import frustum.scene.VoxelWorld
+import frustum.spec.VoxelConfig
+
+/** A view as it was drawn: the engine's picture, the ideal one, and what was found. Pictures are 0xRRGGBB row by row.
+  *
+  * @param counts of the model's rays; none where nothing but the reference was drawn
+  * @param clocks with the hardware alone
+  * @param pixelsDifferent of the hardware from the model
+  */
+final case class VoxelDrawn(
+    picture: Array[Int],
+    reference: Array[Int],
+    counts: Option[VoxelCounts],
+    clocks: Option[Long],
+    pixelsDifferent: Option[Long]
+) {
+  def squaredError: Double = Psnr.squaredError(picture, reference)
+}
+
+/** Draws views of a world.
+  *
+  * @param highlight the face in the middle of the screen
+  */
+final class VoxelRun(config: VoxelConfig, assets: VoxelAssets, world: VoxelWorld, engine: String, highlight: Boolean, seed: Long) {
+  private lazy val model = new VoxelModel(config, assets, world)
+  private lazy val judge = new VoxelJudge(model)
+
+  def draw(views: Seq[VoxelView])(each: VoxelDrawn => Unit): Unit = engine match {
+    case "hardware" =>
+      EngineSim.run(VoxelSession.compile(config, assets), None, seed) { dut =>
+        val session = new VoxelSession(dut)
+        session.load(model.words)
+        for (view <- views) each(drawn(view, Some(session)))
+      }
+    case _ => for (view <- views) each(drawn(view, None))
+  }
+
+  private def drawn(view: VoxelView, session: Option[VoxelSession]): VoxelDrawn = {
+    val ideal = new IdealVoxelPicture(config, assets, world, view).picture()
+    if (engine == "reference") VoxelDrawn(ideal, ideal, None, None, None)
+    else {
+      val camera  = view.camera(config)
+      val chosen  = if (highlight) model.pointedAt(camera, VoxelRun.Reach) else None
+      val pixels  = for (j <- 0 until config.height; i <- 0 until config.width) yield model.pixel(camera, i, j, chosen)
+      val colors  = pixels.map(_.color).toArray
+      val frame   = session.map(_.frame(camera, highlight))
+      val differs = frame.map(f => colors.indices.count(i => colors(i) != f.picture(i)).toLong)
+      VoxelDrawn(
+        frame.fold(colors)(_.picture),
+        ideal,
+        Some(judge.picture(camera, view, pixels)),
+        frame.map(_.clocks),
+        differs
+      )
+    }
+  }
+}
+
+object VoxelRun {
+  val Engines = Seq("hardware", "model", "reference")
+
+  /** Blocks within which a face is pointed at. */
+  val Reach = 6
+}

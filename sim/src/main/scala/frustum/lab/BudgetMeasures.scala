@@ -1,0 +1,75 @@
+package frustum.lab
+
+import frustum.command.{PongScenes, RenderReport, SceneRun, VoxelOptions, VoxelReport, VoxelScenes}
+import frustum.engine.{EngineOptions, Engines, VoxelDrawn, VoxelRun}
+import frustum.game.AutoPlayer
+import frustum.host.DrawOptions
+import frustum.judge.{RayCounts, RayJudge}
+import frustum.model.game.PongGame
+import frustum.model.ray.RayPicture
+import frustum.scene.Scenes
+import frustum.spec.{RasterConfig, VideoMode, Wrap}
+
+/** The figures of every scene, from the bit-exact models; hardware equals them, or other tests fail. */
+object BudgetMeasures {
+
+  /** Names of what can be measured. */
+  val scenes: Seq[String] = Scenes.names ++ Seq("pong", "voxel")
+
+  def apply(scene: String): Seq[Measured] = scene match {
+    case "pong"  => pong()
+    case "voxel" => voxel()
+    case _       => raster(scene)
+  }
+
+  private val rasterMetrics = Seq(
+    "modelVsReference" -> Seq(
+      "coverageWrong", "texelsWrong", "texelsWrongByMoreThanOne", "maxTexelError", "primitiveWrong", "depthOrderWrong", "psnr"
+    ),
+    "endToEnd" -> Seq("coverageWrong", "texelsWrong", "psnr", "flip")
+  )
+
+  private def raster(name: String): Seq[Measured] = {
+    val scene   = Scenes.byName(name)
+    val options = DrawOptions(None, cullBack = false, Wrap.Repeat, scene.background)
+    val run     =
+      SceneRun(scene, scene.camera, options, RasterConfig(), 1, 0, Engines.byName("model"), EngineOptions(1, None))
+    val report  = RenderReport.json("budgets", 1, run.figures((_, _) => ()))
+    for ((group, metrics) <- rasterMetrics; metric <- metrics)
+      yield Measured(name, s"$group.$metric", number(report(group)(metric)))
+  }
+
+  private def voxel(): Seq[Measured] = {
+    val o     = VoxelOptions(size = (160, 120), engine = "model")
+    val scene = VoxelScenes(o)
+    var drawn = Seq.empty[VoxelDrawn]
+    new VoxelRun(scene.config, scene.assets, scene.world, o.engine, highlight = false, o.seed).draw(scene.views)(drawn :+= _)
+    val report = VoxelReport.json("budgets", o.seed, o.engine, scene.config, drawn)
+    Seq("blocksWrong", "facesWrong", "texelsWrong", "maxDirectionErrorPixels", "steps", "psnr")
+      .map(metric => Measured("voxel", metric, number(report(metric))))
+  }
+
+  /** States of a game that plays itself, far apart. */
+  private def pong(): Seq[Measured] = {
+    val config  = PongScenes.config(VideoMode.Vga640x480, None)
+    val picture = new RayPicture(config.scene, config.mode.width, config.mode.height)
+    val judge   = new RayJudge(config.scene, config.mode.width, config.mode.height)
+    val states  = Iterator.iterate(PongGame.start)(g => g.tick(AutoPlayer(g))).grouped(PongTicks).map(_.head).take(PongStates)
+    val sum     = states.map { game =>
+      val pixels = picture(game.motion)
+      judge(game.motion, pixels.map(_.objectId), pixels.map(_.rgb))
+    }.foldLeft(RayCounts.none)(_ + _)
+    Seq(
+      "silhouettePixelsWrong" -> sum.silhouettePixelsWrong.toDouble,
+      "shadowPixelsWrong"     -> sum.shadowPixelsWrong.toDouble,
+      "objectPixelsWrong"     -> sum.objectPixelsWrong.toDouble,
+      "checkerCellsWrong"     -> sum.checkerCellsWrong.toDouble,
+      "maxColourError"        -> sum.maxColourError,
+      "psnr"                  -> sum.psnr.getOrElse(Double.PositiveInfinity)
+    ).map { case (metric, value) => Measured("pong", metric, value) }
+  }
+  private val PongTicks  = 37
+  private val PongStates = 4
+
+  private def number(v: ujson.Value) = if (v.isNull) Double.PositiveInfinity else v.num
+}

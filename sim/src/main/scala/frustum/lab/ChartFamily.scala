@@ -1,0 +1,14 @@
+package frustum.lab
+
+/** Methods for one task, to be charted. */
+trait ChartFamily {
+  def name: String
+
+  /** @param costs what synthesis makes of a unit, None where that is not wanted */
+  def charts(costs: Option[UnitCosts]): Seq[Chart]
+}
+
+object ChartFamily {
+  val all: Seq[ChartFamily] =
+    Seq(ReciprocalFamily, SpanFamily, DepthFamily, SubpixelFamily, ColorFamily, LeapFamily, DirectionFamily)
+}

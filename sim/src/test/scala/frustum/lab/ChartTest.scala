@@ -1,0 +1,68 @@
+package frustum.lab
+
+import frustum.command.CommandRunner
+import org.scalatest.funsuite.AnyFunSuite
+import java.nio.file.Files
+import javax.imageio.ImageIO
+
+/** Shapes that the charts' data must have, and what the command writes. */
+class ChartTest extends AnyFunSuite {
+  private def series(chart: Chart, method: String): Seq[Double] = chart.points.filter(_.method == method).sortBy(_.cost).map(_.error)
+
+  test("affine spans: the error grows with the square of the span") {
+    for (span <- Seq(2, 4, 8)) {
+      val ratio = SpanFamily.error(2 * span) / SpanFamily.error(span)
+      assert(ratio > 3.5 && ratio < 4.2, s"span $span")
+    }
+  }
+
+  test("reciprocal: an index bit more halves a table's error and quarters that of a line or a Newton step") {
+    val chart = ReciprocalFamily.charts(None).head
+    def gain(method: String, n: Int) = { val e = series(chart, method); e(n) / e(n + 1) }
+    for (n <- 0 to 6) {
+      assert(gain("table", n) > 1.8 && gain("table", n) < 2.2)
+      assert(gain("table and line", n) > 3.4 && gain("table and line", n) < 4.6)
+      assert(gain("table and Newton step", n) > 3.4 && gain("table and Newton step", n) < 4.6)
+    }
+    // Measured elsewhere: some 17 bits of a table of 3 kbit and one Newton step.
+    val three = chart.points.filter(p => p.method == "table and Newton step" && p.cost <= 3.1).map(_.error).min
+    assert(ReciprocalFamily.bitsOf(three) > 16.5)
+    assert(ReciprocalFamily.bitsOf(chart.shipped.get.error) > 15.9)
+  }
+
+  test("depth: OpenGL's z needs gaps in proportion to the range, a reversed float does not") {
+    val chart = DepthFamily.charts(None).find(_.name == "depth-range").get
+    val z     = series(chart, "z of OpenGL, linear on the screen")
+    val float = series(chart, "reversed float, 5 bits of exponent")
+    assert(z.last / z(3) > 50 && float.last / float(3) < 1.5)
+  }
+
+  test("sub-pixel bits: each halves what is wrong") {
+    for (bits <- 1 to 5) {
+      val ratio = SubpixelFamily.wrongPercent(bits, 1) / SubpixelFamily.wrongPercent(bits + 1, 1)
+      assert(ratio > 1.5 && ratio < 2.6, s"$bits bits")
+    }
+  }
+
+  test("the front holds what nothing beats, and no more") {
+    val Seq(a, b, c, d) = Seq((1, 9), (2, 5), (3, 5), (4, 1)).map { case (cost, error) => ChartPoint("m", s"$cost", cost, error) }
+    val chart           = Chart("n", "t", "c", "e", Seq(d, b, c, a), None, None, 1e-3, "")
+    assert(chart.front == Seq(a, b, d))
+  }
+
+  test("the command writes a page, pictures and data") {
+    val out = Files.createTempDirectory("chart")
+    val run = CommandRunner.run("chart", "colour", "--no-synthesis", "--out", out.toString)
+    assert(run.code == 0, run)
+    assert(out.toFile.list().toSet == Set("index.html", "chart.json", "colour-bits.png", "colour-bits.csv"))
+    assert(ImageIO.read(out.resolve("colour-bits.png").toFile).getWidth == 960)
+    val points = ujson.read(Files.readString(out.resolve("chart.json")))("charts")(0)("points").arr
+    assert(points.count(_("shipped").bool) == 1 && points.exists(_("front").bool))
+  }
+
+  for ((words, part) <- Seq(Seq("chart", "taste") -> "perspective", Seq("chart", "--deep") -> "--deep"))
+    test(s"refused: ${words.mkString(" ")}") {
+      val run = CommandRunner.run(words: _*)
+      assert(run.code == 2 && run.err.length == 1 && run.err.head.startsWith("error: ") && run.err.head.contains(part), run)
+    }
+}
