@@ -114,7 +114,7 @@ object RayProgram {
     }
 
     for (a <- 0 to 2) want(s"direction$a", direction(a))
-    if (scene.light.isDefined && scene.spheres.nonEmpty) wantWithin("square", square, Interval(0, squareMost))
+    if (scene.shaded && scene.light.isDefined && scene.spheres.nonEmpty) wantWithin("square", square, Interval(0, squareMost))
     for (w <- Wall.all) {
       val n = scale(direction(w.axis), b.constant(w.sign))
       for (u <- w.across)
@@ -139,7 +139,7 @@ object RayProgram {
       want(s"along$i", along)
       for (light <- scene.light) {
         val s = from(centre, light)
-        wantShade(i, centre, along, s.map(b.subtract(b.constant(0), _)))
+        if (scene.shaded) wantShade(i, centre, along, s.map(b.subtract(b.constant(0), _)))
         for (w <- Wall.all) {
           val n = scale(direction(w.axis), b.constant(w.sign))
           val v = (0 to 2).map { a =>

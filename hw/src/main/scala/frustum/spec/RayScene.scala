@@ -56,6 +56,8 @@ case class RayQuad(low: IntVector, high: IntVector, half: Int, color: Int)
 
 /** What a ray caster draws; it is generated from this value. Spheres must not intersect one another, for their
   * order along a ray is that of their centres. Colours are 24-bit RGB.
+  *
+  * @param shaded whether spheres are shaded by the light; otherwise they have their full colour, and need less hardware
   */
 case class RayScene(
     camera: RayCamera,
@@ -63,7 +65,8 @@ case class RayScene(
     spheres: Seq[RaySphere],
     quads: Seq[RayQuad],
     light: Option[IntVector],
-    background: Int
+    background: Int,
+    shaded: Boolean = true
 ) {
   import camera.eye
   require(spheres.size <= RayScene.MaxSpheres, s"${spheres.size} spheres, at most ${RayScene.MaxSpheres}")

@@ -91,7 +91,7 @@ object RayShade {
 
   /** None if there is nothing to shade, or no light. */
   def apply(scene: RayScene, program: RayProgram, width: Int, height: Int): Option[RayShade] =
-    if (scene.spheres.isEmpty || scene.light.isEmpty) None
+    if (!scene.shaded || scene.spheres.isEmpty || scene.light.isEmpty) None
     else {
       val squares = for (v <- 0 until height; h <- 0 until width) yield {
         val d = scene.camera.direction(h, v)
