@@ -20,7 +20,7 @@ case class RayPoint() extends Bundle {
 
 /** Ray caster without a frame buffer: one pixel a clock, `latency` clocks after `up`, no stalls.
   *
-  * `latch`: at the start of the vertical blank, takes `motion`, which holds for `takeClocks`. `line`: once before each row, `lineClocks` or
+  * `latch`: at the start of the vertical blank, takes `motion`. `line`: once before each row, `lineClocks` or
   * more before its first pixel and after the last pixel of the row before. Everything a pixel needs is the sign
   * of a whole polynomial, see [[frustum.spec.RayProgram]]; checker cells are quotients found bit by bit.
   */
@@ -48,7 +48,6 @@ case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Com
 
   val setup            = RaySetup(program)
   val setUpClocks: Int = setup.frameClocks
-  val takeClocks: Int  = setup.takeClocks
   val lineClocks: Int  = setup.lineClocks + latency + 1
   require(
     setUpClocks <= mode.blankClocks - mode.hTotal,

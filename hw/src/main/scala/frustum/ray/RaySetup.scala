@@ -7,7 +7,7 @@ import spinal.lib.fsm._
 
 /** Runs a [[frustum.spec.RayProgram]]: one memory of words, an adder, and a multiplier that takes a bit a clock.
   *
-  * `latch` takes the inputs, which hold for `takeClocks`, and makes the frame's coefficients, `frameClocks` long. `line` gives the words
+  * `latch` takes the inputs and makes the frame's coefficients, `frameClocks` long. `line` gives the words
   * of the row to come, one a clock, in `lineClocks`, then moves the state on to the next row in `rowClocks`.
   * A `line` or `latch` while busy cuts off what runs.
   */
@@ -25,7 +25,6 @@ case class RaySetup(program: RayProgram) extends Component {
   require(!row.exists(_.op == RayStep.Multiply), "a row's steps are additions")
 
   val frameClocks: Int = inputs.size + frame.size * RaySetup.StepClocks + multiplies * wordWidth + 2
-  val takeClocks: Int  = inputs.size + 1
   val lineClocks: Int  = loadWords + 4
   val rowClocks: Int   = row.size * RaySetup.StepClocks + 2
 
@@ -35,6 +34,7 @@ case class RaySetup(program: RayProgram) extends Component {
     ((BigInt(s.op) << addressBits | s.to) << addressBits | s.a) << addressBits | s.b
   val steprom = Mem(Bits(2 + 3 * addressBits bits), steps.size).initBigInt(steps.map(encoded))
 
+  val latched      = Vec(io.inputs.map(v => RegNextWhen(v, io.latch)))
   val pc, end      = Reg(UInt(log2Up(steps.size + 1) bits))
   val count        = Reg(UInt(log2Up(wordWidth.max(loadWords + 1).max(inputs.size + 1)) bits))
   val a, b, result = Reg(Bits(wordWidth bits))
@@ -48,14 +48,6 @@ case class RaySetup(program: RayProgram) extends Component {
   val instruction = steprom.readSync(pc.resize(log2Up(steps.size)))
   val op          = instruction(3 * addressBits, 2 bits).asUInt
   val to          = instruction(2 * addressBits, addressBits bits).asUInt
-
-  // One adder for all steps: one look-up table a bit before it chooses what is added to a.
-  val multiplying  = False
-  val addend       = Bits(wordWidth bits)
-  private val less = !multiplying && op === RayStep.Subtract
-  addend := Mux(multiplying, result, read) ^ B(wordWidth bits, default -> less)
-  val sum = ((a ## True).asUInt + (addend ## less).asUInt)(wordWidth downto 1).asBits
-
   readAddress  := instruction(addressBits, addressBits bits).asUInt
   writeAddress := to
   writeData    := result
@@ -72,7 +64,7 @@ case class RaySetup(program: RayProgram) extends Component {
       if (inputs.nonEmpty) {
         writing := True
         writeData.assignFromBits(
-          Vec(io.inputs.map(_.resize(wordWidth).asBits)).read(count.resize(log2Up(inputs.size.max(2))))
+          Vec(latched.map(_.resize(wordWidth).asBits)).read(count.resize(log2Up(inputs.size.max(2))))
         )
         writeAddress := Vec(
           inputs.map(i => U(i.address, addressBits bits))
@@ -90,14 +82,16 @@ case class RaySetup(program: RayProgram) extends Component {
     }
     calculate.whenIsActive {
       b      := read
-      result := sum
-      when(op === RayStep.Multiply)(result := 0)
+      result := Mux(
+        op === RayStep.Multiply,
+        B(0, wordWidth bits),
+        Mux(op === RayStep.Add, a.asUInt + read.asUInt, a.asUInt - read.asUInt).asBits
+      )
       count := 0
       when(op === RayStep.Multiply)(goto(multiply)).otherwise(goto(write))
     }
     multiply.whenIsActive {
-      multiplying := True
-      when(b(0))(result := sum)
+      when(b(0))(result := (result.asUInt + a.asUInt).asBits)
       a     := a |<< 1
       b     := b |>> 1
       count := count + 1

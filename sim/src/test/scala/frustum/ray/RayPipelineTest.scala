@@ -53,7 +53,6 @@ class RayPipelineTest extends AnyFunSuite {
         dut.io.latch #= true
         dut.clockDomain.waitSampling()
         dut.io.latch #= false
-        dut.clockDomain.waitSampling(dut.takeClocks)
         for (p <- dut.io.motion.spheres ++ dut.io.motion.quads) {
           p.x.randomize(); p.y.randomize(); p.z.randomize()
         }
