@@ -1,6 +1,8 @@
 package frustum.pipelines
 
+import frustum.blackbox.Tech
 import frustum.display.{OrderedDither, PixelScanner, TextOverlay, VideoBus}
+import frustum.fixed.MemoryDelay
 import frustum.game.{PongButtons, PongGame}
 import frustum.input.Buttons
 import frustum.ray.{RayConfig, RayPipeline}
@@ -35,7 +37,7 @@ case class PongPipelineConfig(
 /** 3-D pong to a monitor, one pixel a clock: buttons, game, ray caster, score, dither. What is drawn changes in the
   * vertical blank alone; `video` is registered and comes `latencyClocks` after the scanner's position.
   */
-case class PongPipeline(config: PongPipelineConfig) extends Component {
+case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic) extends Component {
   import config.{format, mode, scene}
   val io = new Bundle {
     val buttons = in(PongButtons()) // high = pressed, asynchronous, bouncing
@@ -52,7 +54,7 @@ case class PongPipeline(config: PongPipelineConfig) extends Component {
   game.io.tick := RegNext(frames.willOverflow) init False
   game.io.buttons.assignFromBits(buttons.io.held)
 
-  val ray            = RayPipeline(RayConfig(scene, mode))
+  val ray            = RayPipeline(RayConfig(scene, mode), tech)
   private val ticked = PongGame.TickClocks + 2 // clocks until a tick that `frameEnd` starts is done
   ray.io.latch                                  := Delay(scanner.io.frameEnd, ticked, init = False)
   ray.io.line                                   := scanner.io.line
@@ -79,24 +81,30 @@ case class PongPipeline(config: PongPipelineConfig) extends Component {
     ray.latency >= TextOverlay.Latency,
     s"the ray caster's ${ray.latency} clocks are fewer than the text's"
   )
-  private def lateText(that: Bool) = Delay(that, ray.latency - TextOverlay.Latency)
-  private val cell                 = lateText(overlay.io.cell)
-  private val dot                  = lateText(overlay.io.dot)
+
+  /** Sync pulses, 0 while idle, and text, all as late as the text by itself. */
+  private def early(pulse: Bool, positive: Boolean) =
+    Delay(pulse ^ Bool(!positive), TextOverlay.Latency, init = False)
+  private val late = MemoryDelay(
+    overlay.io.cell ## overlay.io.dot ## early(scanner.io.hSync, mode.hPositive) ## early(scanner.io.vSync, mode.vPositive),
+    ray.latency - TextOverlay.Latency
+  )
+  private val (cell, dot, hPulse, vPulse) = (late(3), late(2), late(1), late(0))
 
   val dither = OrderedDither(format)
-  dither.io.x := Delay(scanner.io.x(1 downto 0), ray.latency)
-  dither.io.y := Delay(scanner.io.y(1 downto 0), ray.latency)
+  // The beam has gone on by the latency, into the blank at most: its row is the pixel's.
+  require(ray.latency < mode.hBlank, s"latency ${ray.latency} in a blank of ${mode.hBlank}")
+  dither.io.x := scanner.io.x(1 downto 0) - (ray.latency & 3)
+  dither.io.y := scanner.io.y(1 downto 0)
   private def written(c: UInt) = Mux(dot, U(255, 8 bits), Mux(cell, c |>> 1, c))
   dither.io.rgb.r := written(ray.io.down.rgb.r)
   dither.io.rgb.g := written(ray.io.down.rgb.g)
   dither.io.rgb.b := written(ray.io.down.rgb.b)
 
-  private def idle(positive: Boolean)                  = Bool(!positive)
-  private def lateSync(pulse: Bool, positive: Boolean) =
-    RegNext(Delay(pulse, ray.latency, init = idle(positive))) init idle(positive)
+  private def lateSync(pulse: Bool, positive: Boolean) = RegNext(pulse ^ Bool(!positive)) init Bool(!positive)
   io.video.active := RegNext(ray.io.down.valid) init False
-  io.video.hSync  := lateSync(scanner.io.hSync, mode.hPositive)
-  io.video.vSync  := lateSync(scanner.io.vSync, mode.vPositive)
+  io.video.hSync  := lateSync(hPulse, mode.hPositive)
+  io.video.vSync  := lateSync(vPulse, mode.vPositive)
   private def pin(c: UInt) = RegNext(Mux(ray.io.down.valid, c, U(0).resized))
   io.video.red   := pin(dither.io.red)
   io.video.green := pin(dither.io.green)

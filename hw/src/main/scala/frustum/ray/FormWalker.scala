@@ -29,7 +29,8 @@ case class FormWalker(form: RayForm, program: RayProgram) extends Component {
     when(at(0) || at(1))(step := word)
   }
   val quadratic = form.registers == 3 generate new Area {
-    val step, curve = register
+    val step  = register
+    val curve = register
     when(io.step || at(2))(value := value + step)
     when(io.step || at(1) || at(3))(step := step + curve)
     when(at(0))(value := 0)

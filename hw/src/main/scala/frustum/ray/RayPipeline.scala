@@ -1,7 +1,8 @@
 package frustum.ray
 
+import frustum.blackbox.Tech
 import frustum.fixed.LockstepPipeline
-import frustum.spec.{RayScene, Wall}
+import frustum.spec.{RayScene, RayShade, Wall}
 import spinal.core._
 import spinal.lib._
 import spinal.lib.misc.pipeline._
@@ -23,7 +24,7 @@ case class RayPoint() extends Bundle {
   * more before its first pixel and after the last pixel of the row before. Everything a pixel needs is the sign
   * of a whole polynomial, see [[frustum.spec.RayProgram]]; checker cells are quotients found bit by bit.
   */
-case class RayPipeline(config: RayConfig) extends Component {
+case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Component {
   import config.{mode, program, scene}
   val io = new Bundle {
     val motion      = in(RayMotionBundle(scene))
@@ -34,9 +35,20 @@ case class RayPipeline(config: RayConfig) extends Component {
   private val room              = scene.room
   private def extent(axis: Int) = room.high(axis) - room.low(axis)
 
+  private val quotientBits = (0 to 2).map(a => BigInt(extent(a) >> room.cellBits).bitLength).max.max(1)
+  private val divisions    = quotientBits
+  private val wallLatency  = divisions + 2
+
+  /** Spheres' shades take longest; all else starts so late that it is ready with them. */
+  val shade        = config.shade.map(SphereShade(_, tech))
+  val latency: Int = shade.fold(wallLatency)(s => (s.latency + 1).max(wallLatency))
+  private val wallStart = latency - wallLatency
+  private val levelAge  = latency - 1
+  private val shadeStart = levelAge - shade.fold(levelAge)(_.latency)
+
   val setup            = RaySetup(program)
   val setUpClocks: Int = setup.frameClocks
-  val lineClocks: Int  = setup.lineClocks
+  val lineClocks: Int  = setup.lineClocks + latency + 1
   require(
     setUpClocks <= mode.blankClocks - mode.hTotal,
     s"set-up of $setUpClocks clocks in a blank of ${mode.blankClocks}"
@@ -45,23 +57,35 @@ case class RayPipeline(config: RayConfig) extends Component {
   require(setup.rowClocks <= mode.width, s"row steps of ${setup.rowClocks} clocks in a row of ${mode.width}")
 
   setup.io.latch := io.latch
-  setup.io.line  := io.line
   for ((to, i) <- setup.io.inputs.zip(program.inputs))
     to := (if (i.isSphere) io.motion.spheres else io.motion.quads) (i.index)(i.axis).resized
 
+  val line                 = new LockstepPipeline(latency)
+  line(0).valid         := io.up.valid
+
+  /** The last walker must have done the row before. */
+  val waiting = RegInit(False)
+  setup.io.line := waiting && !line.nodes.last.isValid
+  when(setup.io.line)(waiting := False)
+  when(io.line)(waiting := True)
+
+  /** Node at which a form is looked at. */
+  private def node(form: String): Int = {
+    def isA(names: String*) = names.exists(n => form.startsWith(n))
+    if (isA("sphere", "along")) shadeStart
+    else shade.filter(_ => isA("towards", "lit", "square")).fold(wallStart) { s =>
+      shadeStart + (if (isA("towards")) s.towardsAge else if (isA("lit")) s.litAge else s.squareAge)
+    }
+  }
   private val walkers = program.forms.map { f =>
     val w = FormWalker(f, program).setName("walk_" + f.name)
     w.io.load := setup.io.load
-    w.io.step := io.up.valid
+    w.io.step := line(node(f.name)).isValid
     f.name    -> w.io.value
   }.toMap
 
-  private val quotientBits = (0 to 2).map(a => BigInt(extent(a) >> room.cellBits).bitLength).max.max(1)
-  private val divisions    = quotientBits
-  val line                 = new LockstepPipeline(divisions + 2)
-  val latency: Int         = line.nodes.size - 1
-  line(0).valid         := io.up.valid
   line.nodes.last.ready := True
+  require(latency < mode.width, s"latency $latency in rows of ${mode.width}")
 
   private val widthN     = (0 to 2).map(a => walkers(s"direction$a").getWidth).max + 1
   private val widthU     = walkers.collect { case (n, v) if n.startsWith("across") => v.getWidth }.max
@@ -81,7 +105,7 @@ case class RayPipeline(config: RayConfig) extends Component {
 
   /** What is hit: signs of the forms at this pixel. */
   val test = new Area {
-    val s0 = line(0)
+    val s0 = line(wallStart)
 
     /** Of walls that meet in an edge, whether the ray meets p no later than q: k_q n_p >= k_p n_q, which is also the
       * border of p across q's axis, and the other way round that of q across p's.
@@ -115,7 +139,7 @@ case class RayPipeline(config: RayConfig) extends Component {
     val shadows = for (_ <- scene.light.toSeq; i <- scene.spheres.indices) yield {
       val cone =
         Wall.all.map(w => walkers(s"gate${i}_${w.index}") > 0 && walkers(s"shadow${i}_${w.index}") >= 0)
-      val enclosed = walkers.get(s"enclosed$i").map(_ <= 0).getOrElse(False)
+      val enclosed = walkers(s"power$i") <= 0
       cone.asBits() | B(Wall.all.size bits, default -> enclosed)
     }
     s0(CONES) := shadows.foldLeft(B(0, Wall.all.size bits))(_ | _)
@@ -123,7 +147,7 @@ case class RayPipeline(config: RayConfig) extends Component {
 
   /** The first wall hit, and what belongs to it. */
   val select = new Area {
-    val s1    = line(1)
+    val s1    = line(wallStart + 1)
     val first = OHMasking.first(s1(HITS))
     s1(WALL) := first
     s1(N)    := MuxOH.or(
@@ -148,13 +172,39 @@ case class RayPipeline(config: RayConfig) extends Component {
       val width = scala.math.max(l._2.getWidth, r._2.getWidth)
       (l._1 || r._1, Mux(left, l._2.resize(width), r._2.resize(width)), Mux(left, l._3, r._3))
     }
-    line(0)(SPHERE)       := hit
-    line(0)(SPHERE_INDEX) := index
+    line(shadeStart)(SPHERE)       := hit
+    line(shadeStart)(SPHERE_INDEX) := index
+  }
+
+  /** Colour of the nearest sphere, by how far it is lit. */
+  val sphereColor = Bits(24 bits)
+  private def ofSphere(at: Int)(each: Int => Bits) =
+    Vec(scene.spheres.indices.map(each)).read(line(at)(SPHERE_INDEX).resize(log2Up(scene.spheres.size)))
+  shade match {
+    case Some(s) =>
+      def form(to: SInt, name: String, age: Int): Unit =
+        to := ofSphere(shadeStart + age)(i => walkers(s"$name$i").resize(to.getWidth).asBits).asSInt
+      s.io.q := ofSphere(shadeStart)(i => walkers(s"sphere$i").resize(s.io.q.getWidth).asBits).asUInt
+      form(s.io.towards, "towards", s.towardsAge)
+      form(s.io.lit, "lit", s.litAge)
+      form(s.io.power, "power", s.powerAge)
+      s.io.square := walkers("square").asUInt.resized
+      val ramps = scene.spheres.indices.map(config.shade.get.ramp)
+      val index = line(levelAge)(SPHERE_INDEX).resize(log2Up(scene.spheres.size)) @@ s.io.level
+      val size  = RayShade.Levels << log2Up(scene.spheres.size)
+      // A channel that no sphere has needs no memory.
+      sphereColor := Seq(16, 8, 0).map { shift =>
+        val words = ramps.flatten.map(_ >> shift & 255).padTo(size, 0)
+        if (words.forall(_ == 0)) B(0, 8 bits)
+        else Mem(Bits(8 bits), words.map(B(_, 8 bits))).readSync(index)
+      }.reduce(_ ## _)
+    case None if scene.spheres.nonEmpty => sphereColor := ofSphere(latency)(i => B(scene.spheres(i).color, 24 bits))
+    case None                           => sphereColor := 0
   }
 
   /** Quotients by the checker's cell, a bit a stage; only the last bit is kept. */
   for (k <- 0 until divisions; j <- 0 to 1) {
-    val node       = line(k + 2)
+    val node       = line(wallStart + k + 2)
     val i          = quotientBits - 1 - k
     val width      = scala.math.max(widthU, widthN + room.cellBits + i) + 1
     val rest       = node(rests(k)(j)).resize(width)
@@ -165,7 +215,7 @@ case class RayPipeline(config: RayConfig) extends Component {
 
   /** Colours of what is hit. */
   val paint = new Area {
-    val last                     = line(divisions + 2)
+    val last                     = line(latency)
     private def constant(c: Int) = B(c, 24 bits)
     val cells                    = (0 to 2).map { a =>
       Wall.all.map { w =>
@@ -185,9 +235,7 @@ case class RayPipeline(config: RayConfig) extends Component {
     val shownId = CombInit(id)
     when(!last(WALL).orR) { shown := constant(scene.background); shownId := 0 }
     if (scene.spheres.nonEmpty) when(last(SPHERE)) {
-      shown := Vec(
-        scene.spheres.map(s => constant(s.color))
-      ).read(last(SPHERE_INDEX).resize(log2Up(scene.spheres.size)))
+      shown   := sphereColor
       shownId := last(SPHERE_INDEX) + (2 + scene.quads.size)
     }
     io.down.valid    := last.isValid

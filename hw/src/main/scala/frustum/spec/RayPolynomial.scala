@@ -21,10 +21,31 @@ class RayAlgebra(b: RayProgramBuilder, width: Int, height: Int) {
   def dot(p: Seq[RayPolynomial], w: Seq[RayWord]): RayPolynomial =
     p.zip(w).map { case (x, y) => scale(x, y) }.reduce(add)
 
+  private def parts(p: RayPolynomial): Seq[RayWord] = {
+    require(p.c.drop(3).forall(_.constant.contains(BigInt(0))), "product of a form that is not linear")
+    p.c.take(3)
+  }
+
+  /** Product of two linear forms. */
+  def product(p: RayPolynomial, q: RayPolynomial): RayPolynomial = {
+    val Seq(c, x, y) = parts(p)
+    val Seq(d, s, t) = parts(q)
+    def cross(a: RayWord, e: RayWord, f: RayWord, g: RayWord) = b.add(b.multiply(a, e), b.multiply(f, g))
+    RayPolynomial(
+      Seq(
+        b.multiply(c, d),
+        cross(c, s, x, d),
+        cross(c, t, y, d),
+        b.multiply(x, s),
+        cross(x, t, y, s),
+        b.multiply(y, t)
+      )
+    )
+  }
+
   /** Square of a linear form. */
   def square(p: RayPolynomial): RayPolynomial = {
-    require(p.c.drop(3).forall(_.constant.contains(BigInt(0))), "square of a form that is not linear")
-    val Seq(c, x, y)      = p.c.take(3)
+    val Seq(c, x, y)      = parts(p)
     def twice(w: RayWord) = b.add(w, w)
     RayPolynomial(
       Seq(

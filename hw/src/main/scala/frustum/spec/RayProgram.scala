@@ -11,9 +11,11 @@ import scala.collection.mutable.ArrayBuffer
   *          (E_u - low_u) n + k D_u, between 0 and (high_u - low_u) n
   * shadow   v = n (E - P) + k D, parallel to light P to hit; S = C - P; v.S > 0 and
   *          (v.S)^2 - |v|^2 (|S|^2 - r^2) >= 0; or the sphere holds the light
+  * shade    with w = -S: D.w, b D.w - |D|^2 (o.w + r^2), |D|^2 and |S|^2 - r^2, see [[RayShade]]
   * }}}
   * All are polynomials of the pixel of at most second degree with whole coefficients, so their signs are exact.
-  * Ranges: by Cauchy's inequality a discriminant b^2 - A c lies between -A c and A r^2.
+  * Ranges: by Cauchy's inequality a discriminant b^2 - A c lies between -A c and A r^2, D.w within |D| |w|, and where the
+  * sphere is hit b D.w - A (o.w + r^2) within A (r |w| + r^2); elsewhere that one wraps.
   *
   * @param inputs
   *   moving coordinates: address of each, with its range
@@ -85,14 +87,34 @@ object RayProgram {
       val r2    = BigInt(radius).pow(2)
       val c     = b.subtract(length2(s), b.constant(r2))
       val along = dot(v, s)
-      val a     = v.map(square).reduce(add)
+      val a     = v.map(algebra.square).reduce(add)
       val most  = v.map(range(_).square).reduce(_ + _).high
       val cMost = s.map(_.range.square).reduce(_ + _).high
-      wantWithin(name, subtract(square(along), scale(a, c)), Interval(-most * cMost, most * r2))
+      wantWithin(name, subtract(algebra.square(along), scale(a, c)), Interval(-most * cMost, most * r2))
       (along, c)
     }
 
+    val square     = direction.map(algebra.square).reduce(add)
+    val squareMost = direction.map(range(_).square).reduce(_ + _).high
+
+    /** What a sphere's shade needs besides its discriminant; `away` is from its centre to the light. */
+    def wantShade(i: Int, centre: Seq[RayWord], along: RayPolynomial, away: Seq[RayWord]): Unit = {
+      def upTo(square: BigInt) = BigInt(scala.math.ceil(scala.math.sqrt(square.toDouble)).toLong + 1)
+      def within(m: BigInt)    = Interval(-m, m)
+      val r                    = BigInt(scene.spheres(i).radius)
+      val far                  = away.map(_.range.square).reduce(_ + _).high
+      val towards              = dot(direction, away)
+      val across = from(centre, eye).zip(away).map { case (x, y) => b.multiply(x, y) }.reduce(b.add)
+      wantWithin(s"towards$i", towards, within(upTo(squareMost * far)))
+      wantWithin(
+        s"lit$i",
+        subtract(product(along, towards), scale(square, b.add(across, b.constant(r * r)))),
+        within(squareMost * (r * upTo(far) + r * r))
+      )
+    }
+
     for (a <- 0 to 2) want(s"direction$a", direction(a))
+    if (scene.shaded && scene.light.isDefined && scene.spheres.nonEmpty) wantWithin("square", square, Interval(0, squareMost))
     for (w <- Wall.all) {
       val n = scale(direction(w.axis), b.constant(w.sign))
       for (u <- w.across)
@@ -117,6 +139,7 @@ object RayProgram {
       want(s"along$i", along)
       for (light <- scene.light) {
         val s = from(centre, light)
+        if (scene.shaded) wantShade(i, centre, along, s.map(b.subtract(b.constant(0), _)))
         for (w <- Wall.all) {
           val n = scale(direction(w.axis), b.constant(w.sign))
           val v = (0 to 2).map { a =>
@@ -124,8 +147,8 @@ object RayProgram {
           }
           val (gate, c) = discriminant(s"shadow${i}_${w.index}", v, s, scene.spheres(i).radius)
           want(s"gate${i}_${w.index}", gate)
-          if (w == Wall.back && !c.constant.exists(_ > 0))
-            wantWithin(s"enclosed$i", RayPolynomial(c +: Seq.fill(5)(b.constant(0))), c.range)
+          if (w == Wall.back)
+            wantWithin(s"power$i", RayPolynomial(c +: Seq.fill(5)(b.constant(0))), c.range)
         }
       }
     }

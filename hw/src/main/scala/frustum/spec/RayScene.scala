@@ -35,7 +35,16 @@ object RayCamera {
 }
 
 /** Sphere whose centre stays in the box `low`..`high`: register where they differ, constant where not. */
-case class RaySphere(low: IntVector, high: IntVector, radius: Int, color: Int)
+case class RaySphere(low: IntVector, high: IntVector, radius: Int, color: Int) {
+
+  /** Squares of the least and the greatest distance of its centre from a point. */
+  def nearest(p: IntVector): Long  = square(a => scala.math.max(0, scala.math.max(low(a) - p(a), p(a) - high(a))))
+  def farthest(p: IntVector): Long = square(a => scala.math.max((low(a) - p(a)).abs, (high(a) - p(a)).abs))
+
+  /** Square of the least distance between its centre and that of another. */
+  def gap(o: RaySphere): Long = square(a => scala.math.max(0, scala.math.max(low(a) - o.high(a), o.low(a) - high(a))))
+  private def square(along: Int => Int): Long = (0 to 2).map(a => along(a).toLong * along(a)).sum
+}
 
 /** Box seen from within or through its open front z = low.z: walls at -x, +x, -y, +y and +z, painted as a
   * checkerboard: red, green, blue are bit `cellBits` of floor(hit - low).
@@ -47,6 +56,8 @@ case class RayQuad(low: IntVector, high: IntVector, half: Int, color: Int)
 
 /** What a ray caster draws; it is generated from this value. Spheres must not intersect one another, for their
   * order along a ray is that of their centres. Colours are 24-bit RGB.
+  *
+  * @param shaded whether spheres are shaded by the light; otherwise they have their full colour, and need less hardware
   */
 case class RayScene(
     camera: RayCamera,
@@ -54,7 +65,8 @@ case class RayScene(
     spheres: Seq[RaySphere],
     quads: Seq[RayQuad],
     light: Option[IntVector],
-    background: Int
+    background: Int,
+    shaded: Boolean = true
 ) {
   import camera.eye
   require(spheres.size <= RayScene.MaxSpheres, s"${spheres.size} spheres, at most ${RayScene.MaxSpheres}")
@@ -70,12 +82,8 @@ case class RayScene(
   require(room.cellBits >= 0 && room.cellBits <= 12, s"checker cells of 2^${room.cellBits}")
   for ((s, i) <- spheres.zipWithIndex) {
     require(s.radius > 0, s"sphere $i is degenerate: radius ${s.radius}")
-    val apart = (0 to 2).map { a =>
-      val d = scala.math.max(0, scala.math.max(s.low(a) - eye(a), eye(a) - s.high(a)))
-      d.toLong * d
-    }.sum
     require(
-      apart > s.radius.toLong * s.radius,
+      s.nearest(eye) > s.radius.toLong * s.radius,
       s"eye $eye inside sphere $i: radius ${s.radius}, centre ${s.low} to ${s.high}"
     )
     for (a <- 0 to 2) {
@@ -85,6 +93,14 @@ case class RayScene(
         s"sphere $i leaves the room ${room.low} to ${room.high}: radius ${s.radius}, centre ${s.low} to ${s.high}"
       )
     }
+  }
+  for ((s, i) <- spheres.zipWithIndex; (o, j) <- spheres.zipWithIndex.drop(i + 1)) {
+    val reach = s.radius.toLong + o.radius
+    require(
+      s.gap(o) > reach * reach,
+      s"spheres $i and $j may intersect: radii ${s.radius} and ${o.radius}, centres ${s.low} to ${s.high} and ${o.low} to ${o.high} " +
+        s"come as near as the root of ${s.gap(o)}, which must exceed ${reach * reach}: move them apart or make them smaller"
+    )
   }
   for (p <- light; a <- 0 to 2)
     require(

@@ -84,6 +84,14 @@ class RayPipelineTest extends AnyFunSuite {
   private val pong = PongScene.room(mode.width, mode.height, 3)
 
   test("pong")(compare("pong", pong, 8, 1))
+  test("pong, its puck not shaded")(compare("flat", pong.copy(shaded = false), 3, 7))
+  test("two spheres, of which the nearer one's shade is shown") {
+    val puck   = pong.spheres.head
+    val pillar = RaySphere(IntVector(-40, -60, 560), IntVector(-40, -60, 560), 30, 0x40c0ff)
+    // The puck stays before the pillar.
+    val wide = mode.copy(name = "400x12", width = 400)
+    compare("two", pong.copy(spheres = Seq(pillar, puck.copy(high = puck.high.copy(z = 400)))), 4, 8, wide)
+  }
   test("no sphere")(compare("noSphere", pong.copy(spheres = Nil), 2, 2))
   test("no light")(compare("noLight", pong.copy(light = None), 3, 3))
 

@@ -22,7 +22,7 @@ case class PongTop(config: PongPipelineConfig, tech: Tech) extends Component {
     )
   }
   val core = new ClockingArea(clocking.domain) {
-    val pipeline = PongPipeline(config)
+    val pipeline = PongPipeline(config, tech)
     pipeline.io.buttons.up    := io.up
     pipeline.io.buttons.down  := io.down
     pipeline.io.buttons.left  := io.left

@@ -3,7 +3,7 @@ package frustum.boards.icebreaker
 import frustum.blackbox.Tech
 import frustum.boards.{BoardClock, BoardTop, Part}
 import frustum.pipelines.PongPipelineConfig
-import frustum.spec.{Panel, RasterConfig}
+import frustum.spec.{Panel, PongScene, RasterConfig}
 
 /** What is built for the iCEBreaker. */
 object IcebreakerTops {
@@ -26,12 +26,15 @@ object IcebreakerTops {
   /** 59.8 frames a second of 640 x 480: the next to 25.175 MHz that the PLL makes. */
   val pongMHz = BigDecimal("25.125")
 
+  /** The puck in its full colour: with its shade 5,210 logic cells are needed, and nextpnr finds no place for them. */
+  val pongConfig: PongPipelineConfig = PongPipelineConfig(scene = PongScene.room().copy(shaded = false))
+
   val pong: BoardTop = BoardTop(
     name = "icebreaker-pong",
     part = Part.Ice40Up5k,
     constraints = "boards/icebreaker/pong.pcf",
     core = BoardClock(IcebreakerClock.Net, pongMHz, "PLL on the 12 MHz oscillator"),
     otherClocks = Nil,
-    component = () => PongTop(PongPipelineConfig(), pongMHz, Tech.Ice40)
+    component = () => PongTop(pongConfig, pongMHz, Tech.Ice40)
   )
 }

@@ -14,7 +14,7 @@ case class PongTop(config: PongPipelineConfig, pixelMHz: BigDecimal, tech: Tech)
 
   val clocking = new IcebreakerClock(io.clk, True, pixelMHz, tech)
   val core     = new ClockingArea(clocking.domain) {
-    val pipeline = PongPipeline(config)
+    val pipeline = PongPipeline(config, tech)
     val clock    = ClockOutput(tech)
     pipeline.io.buttons.up    := io.up
     pipeline.io.buttons.down  := !io.down_n

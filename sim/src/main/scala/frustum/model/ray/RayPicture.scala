@@ -22,6 +22,9 @@ class RayPicture(scene: RayScene, width: Int, height: Int) {
   private val quads     = scene.quads.indices.map(i => (0 to 1).map(u => index(s"quad${i}_$u")))
   private val spheres   = scene.spheres.indices.map(i => (index(s"sphere$i"), index(s"along$i")))
   private val lit       = scene.light.isDefined
+  private val format    = RayShade(scene, program, width, height)
+  private val shade     = format.map(new SphereShade(_))
+  private val ramps     = format.toSeq.flatMap(s => scene.spheres.indices.map(s.ramp))
   private val shadows   = scene.spheres.indices.map { i =>
     if (!lit) Nil else Wall.all.map(w => (index(s"shadow${i}_${w.index}"), index(s"gate${i}_${w.index}")))
   }
@@ -44,13 +47,22 @@ class RayPicture(scene: RayScene, width: Int, height: Int) {
     }.flatten
   }
 
-  private def shade(color: Int, half: Boolean): Int = if (half) (color >> 1) & 0x7f7f7f else color
+  private def darken(color: Int, half: Boolean): Int = if (half) (color >> 1) & 0x7f7f7f else color
 
   private def pixel(): RayPixel = {
     val hitSpheres = spheres.indices.filter(i => value(spheres(i)._1) >= 0 && value(spheres(i)._2) > 0)
     if (hitSpheres.nonEmpty) {
       val i = hitSpheres.minBy(i => value(spheres(i)._2))
-      return RayPixel(scene.spheres(i).color, 2 + quads.size + i)
+      val color = shade.fold(scene.spheres(i).color) { s =>
+        ramps(i)(s(
+          apply(s"sphere$i"),
+          apply(s"towards$i"),
+          apply(s"lit$i"),
+          apply("square"),
+          apply(s"power$i")
+        ))
+      }
+      return RayPixel(color, 2 + quads.size + i)
     }
     val wall = Wall.all.find { w =>
       val n = w.sign * value(direction(w.axis))
@@ -64,9 +76,8 @@ class RayPicture(scene: RayScene, width: Int, height: Int) {
       case Some(w) =>
         val shadowed = shadows.indices.exists { i =>
           lit && {
-            val enclosed  = index.get(s"enclosed$i").exists(value(_) <= 0)
             val (q, gate) = shadows(i)(w.index)
-            enclosed || (value(gate) > 0 && value(q) >= 0)
+            apply(s"power$i") <= 0 || (value(gate) > 0 && value(q) >= 0)
           }
         }
         val n    = w.sign * value(direction(w.axis))
@@ -83,7 +94,7 @@ class RayPicture(scene: RayScene, width: Int, height: Int) {
             }
             ((if (bits(0)) 0xff0000 else 0) | (if (bits(1)) 0xff00 else 0) | (if (bits(2)) 0xff else 0), 1)
         }
-        RayPixel(shade(color, shadowed), id)
+        RayPixel(darken(color, shadowed), id)
     }
   }
 }
