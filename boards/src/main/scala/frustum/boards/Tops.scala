@@ -2,7 +2,12 @@ package frustum.boards
 
 /** The table of everything that can be built for a board. */
 object Tops {
-  val all: Seq[BoardTop] = Seq(icebreaker.IcebreakerTops.raster, icebreaker.IcebreakerTops.pong, arty.ArtyTops.pong, arty.ArtyTops.voxel)
+  val all: Seq[BoardTop] = Seq(
+    icebreaker.IcebreakerTops.raster,
+    icebreaker.IcebreakerTops.pong,
+    arty.ArtyTops.pong,
+    arty.ArtyTops.voxel
+  )
 
   def find(name: String): Option[BoardTop] = all.find(_.name == name)
 }

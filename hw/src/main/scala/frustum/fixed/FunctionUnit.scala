@@ -13,9 +13,9 @@ case class FunctionUnit(table: FunctionTable, tech: Tech) extends Component {
     val y = out UInt (16 bits)
   }
   private def words(w: Array[Int]) = Mem(Bits(16 bits), w.toSeq.map(B(_, 16 bits)))
-  val bases  = words(table.base)
-  val slopes = words(table.slope)
-  private val index = io.x(15 downto 8)
+  val bases                        = words(table.base)
+  val slopes                       = words(table.slope)
+  private val index                = io.x(15 downto 8)
   val line = Multiplier16(tech, signedA = false, signedB = false, add = true, subtract = !table.rises)
   line.io.enable := True
   line.io.a      := slopes.readSync(index)

@@ -24,6 +24,9 @@ case class WideMultiplier(tech: Tech, widthA: Int) extends Component {
   else {
     val high = part((io.a >> 15).resize(16).asBits, signed = true).asSInt
     val low  = part(io.a(14 downto 0).asBits.resized, signed = false)
-    io.product := ((high + (B(0, 1 bits) ## low(31 downto 15)).asSInt.resize(32 bits)) ## low(14 downto 0)).asSInt.resized
+    io.product := ((high + (B(
+      0,
+      1 bits
+    ) ## low(31 downto 15)).asSInt.resize(32 bits)) ## low(14 downto 0)).asSInt.resized
   }
 }

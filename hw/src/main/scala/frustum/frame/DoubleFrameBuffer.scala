@@ -17,8 +17,8 @@ case class DoubleFrameBuffer(pixels: Int, bits: Int) extends Component {
     val color   = out Bits (bits bits)
     val swap    = in Bool ()
   }
-  val front  = RegInit(False) toggleWhen io.swap
-  val memory = Mem(Bits(bits bits), 2 * pixels)
+  val front                                     = RegInit(False) toggleWhen io.swap
+  val memory                                    = Mem(Bits(bits bits), 2 * pixels)
   private def place(upper: Bool, address: UInt) =
     Mux(upper, address.resize(log2Up(2 * pixels)) + pixels, address.resize(log2Up(2 * pixels)))
 

@@ -11,9 +11,12 @@ import spinal.lib._
   * `address` asks the frame buffer, whose answer must come before the next pixel. `blank` is high for a pixel after the last row.
   */
 case class DoubledScanout(mode: VideoMode, format: ColorFormat) extends Component {
-  require(mode.width % 2 == 0 && mode.height % 2 == 0, s"mode ${mode.name}: ${mode.width} x ${mode.height} cannot be halved")
+  require(
+    mode.width % 2 == 0 && mode.height % 2 == 0,
+    s"mode ${mode.name}: ${mode.width} x ${mode.height} cannot be halved"
+  )
   val pixels: Int = mode.width * mode.height / 4
-  val io = new Bundle {
+  val io          = new Bundle {
     val address = out UInt (log2Up(pixels) bits)
     val color   = in Bits (format.bits bits)
     val blank   = out Bool ()
@@ -33,7 +36,11 @@ case class DoubledScanout(mode: VideoMode, format: ColorFormat) extends Componen
   val color                                = RegNext(io.color)
   private val Seq(red, green, blue)        = {
     val shown = Mux(active, color, B(0, format.bits bits)).asUInt
-    Seq(shown(format.bits - 1 downto format.green + format.blue), shown(format.green + format.blue - 1 downto format.blue), shown(format.blue - 1 downto 0))
+    Seq(
+      shown(format.bits - 1 downto format.green + format.blue),
+      shown(format.green + format.blue - 1 downto format.blue),
+      shown(format.blue - 1 downto 0)
+    )
   }
   io.video.red    := red
   io.video.green  := green

@@ -86,7 +86,10 @@ case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic) e
   private def early(pulse: Bool, positive: Boolean) =
     Delay(pulse ^ Bool(!positive), TextOverlay.Latency, init = False)
   private val late = MemoryDelay(
-    overlay.io.cell ## overlay.io.dot ## early(scanner.io.hSync, mode.hPositive) ## early(scanner.io.vSync, mode.vPositive),
+    overlay.io.cell ## overlay.io.dot ## early(scanner.io.hSync, mode.hPositive) ## early(
+      scanner.io.vSync,
+      mode.vPositive
+    ),
     ray.latency - TextOverlay.Latency
   )
   private val (cell, dot, hPulse, vPulse) = (late(3), late(2), late(1), late(0))

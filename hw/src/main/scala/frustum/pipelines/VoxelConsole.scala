@@ -25,7 +25,10 @@ case class VoxelConsole(
     divider: Int = 4,
     baud: Int = 500000
 ) extends Component {
-  require(mode.width == 2 * c.width && mode.height == 2 * c.height, s"a picture of ${c.width} x ${c.height} is not half of ${mode.name}")
+  require(
+    mode.width == 2 * c.width && mode.height == 2 * c.height,
+    s"a picture of ${c.width} x ${c.height} is not half of ${mode.name}"
+  )
   require(divider >= 4, s"a monitor's pixel every $divider clocks; a frame buffer's answer takes 3")
   val io = new Bundle {
     val uart    = in Bool ()
@@ -37,8 +40,11 @@ case class VoxelConsole(
 
   /** The receiver looks eight times a bit. */
   val looks = clockMHz * 1e6 / baud / 8
-  require((looks / looks.floor - 1).abs < 0.01, s"$baud baud at $clockMHz MHz: $looks clocks from look to look are not near a whole number")
-  val host     = VoxelHost(c, camera, silence = (clockMHz * frustum.spec.VoxelHostCommand.SilenceMicros).toInt)
+  require(
+    (looks / looks.floor - 1).abs < 0.01,
+    s"$baud baud at $clockMHz MHz: $looks clocks from look to look are not near a whole number"
+  )
+  val host = VoxelHost(c, camera, silence = (clockMHz * frustum.spec.VoxelHostCommand.SilenceMicros).toInt)
   val pipeline = VoxelPipeline(c, assets.table, assets.textures, tech)
   val frames   = DoubleFrameBuffer(c.pixels, format.bits)
   val scan     = new SlowArea(divider) {
@@ -61,7 +67,9 @@ case class VoxelConsole(
     val pixel = pipeline.io.pixels
     frames.io.write.valid   := pixel.valid
     frames.io.write.address := pixel.pixel.resized
-    frames.io.write.color   := Cat(format.channels.zipWithIndex.reverse.map { case (bits, i) => pixel.rgb(i)(7 downto 8 - bits) })
+    frames.io.write.color   := Cat(format.channels.zipWithIndex.reverse.map { case (bits, i) =>
+      pixel.rgb(i)(7 downto 8 - bits)
+    })
   }
 
   /** A picture is drawn from one blank to, at the latest, the next but one; edits have the time between. */

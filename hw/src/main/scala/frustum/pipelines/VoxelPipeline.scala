@@ -16,8 +16,13 @@ import spinal.lib._
   *
   * @param reach blocks that can be pointed at are at most this far away
   */
-case class VoxelPipeline(c: VoxelConfig, kinds: BlockTable, textures: VoxelTextures, tech: Tech, reach: Int = 6)
-    extends Component {
+case class VoxelPipeline(
+    c: VoxelConfig,
+    kinds: BlockTable,
+    textures: VoxelTextures,
+    tech: Tech,
+    reach: Int = 6
+) extends Component {
   val io = new Bundle {
     val start     = in Bool ()
     val camera    = in(CameraPort(c))
@@ -64,8 +69,8 @@ case class VoxelPipeline(c: VoxelConfig, kinds: BlockTable, textures: VoxelTextu
     }
     rays.io.picked := RegNext(hit.valid && hit.pick && hit.last, False)
   }
-  io.pointedAt := pick.found
-  composite.io.pointedAt := pick.found
+  io.pointedAt                                     := pick.found
+  composite.io.pointedAt                           := pick.found
   composite.io.pointedAt.valid.removeAssignments() := pick.found.valid && io.highlight
 
   val drawing = new Area {

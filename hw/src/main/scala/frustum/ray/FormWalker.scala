@@ -25,17 +25,17 @@ case class FormWalker(form: RayForm, program: RayProgram) extends Component {
   val linear = form.registers == 2 generate new Area {
     val step = register
     when(io.step || at(1))(value := value + step)
-    when(at(0))(value := 0)
-    when(at(0) || at(1))(step := word)
+    when(at(0))(value            := 0)
+    when(at(0) || at(1))(step    := word)
   }
   val quadratic = form.registers == 3 generate new Area {
-    val step  = register
-    val curve = register
-    when(io.step || at(2))(value := value + step)
+    val step          = register
+    val curve         = register
+    when(io.step || at(2))(value         := value + step)
     when(io.step || at(1) || at(3))(step := step + curve)
-    when(at(0))(value := 0)
-    when(at(0) || at(2))(step := 0)
-    when(at(0) || at(1) || at(3))(curve := word)
+    when(at(0))(value                    := 0)
+    when(at(0) || at(2))(step            := 0)
+    when(at(0) || at(1) || at(3))(curve  := word)
   }
   if (form.registers == 1) when(at(0))(value := word)
 }

@@ -40,10 +40,10 @@ case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Com
   private val wallLatency  = divisions + 2
 
   /** Spheres' shades take longest; all else starts so late that it is ready with them. */
-  val shade        = config.shade.map(SphereShade(_, tech))
-  val latency: Int = shade.fold(wallLatency)(s => (s.latency + 1).max(wallLatency))
-  private val wallStart = latency - wallLatency
-  private val levelAge  = latency - 1
+  val shade              = config.shade.map(SphereShade(_, tech))
+  val latency: Int       = shade.fold(wallLatency)(s => (s.latency + 1).max(wallLatency))
+  private val wallStart  = latency - wallLatency
+  private val levelAge   = latency - 1
   private val shadeStart = levelAge - shade.fold(levelAge)(_.latency)
 
   val setup            = RaySetup(program)
@@ -60,14 +60,14 @@ case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Com
   for ((to, i) <- setup.io.inputs.zip(program.inputs))
     to := (if (i.isSphere) io.motion.spheres else io.motion.quads) (i.index)(i.axis).resized
 
-  val line                 = new LockstepPipeline(latency)
-  line(0).valid         := io.up.valid
+  val line = new LockstepPipeline(latency)
+  line(0).valid := io.up.valid
 
   /** The last walker must have done the row before. */
   val waiting = RegInit(False)
   setup.io.line := waiting && !line.nodes.last.isValid
   when(setup.io.line)(waiting := False)
-  when(io.line)(waiting := True)
+  when(io.line)(waiting       := True)
 
   /** Node at which a form is looked at. */
   private def node(form: String): Int = {
@@ -177,13 +177,13 @@ case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Com
   }
 
   /** Colour of the nearest sphere, by how far it is lit. */
-  val sphereColor = Bits(24 bits)
+  val sphereColor                                  = Bits(24 bits)
   private def ofSphere(at: Int)(each: Int => Bits) =
     Vec(scene.spheres.indices.map(each)).read(line(at)(SPHERE_INDEX).resize(log2Up(scene.spheres.size)))
   shade match {
     case Some(s) =>
       def form(to: SInt, name: String, age: Int): Unit =
-        to := ofSphere(shadeStart + age)(i => walkers(s"$name$i").resize(to.getWidth).asBits).asSInt
+        to   := ofSphere(shadeStart + age)(i => walkers(s"$name$i").resize(to.getWidth).asBits).asSInt
       s.io.q := ofSphere(shadeStart)(i => walkers(s"sphere$i").resize(s.io.q.getWidth).asBits).asUInt
       form(s.io.towards, "towards", s.towardsAge)
       form(s.io.lit, "lit", s.litAge)
@@ -198,8 +198,9 @@ case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Com
         if (words.forall(_ == 0)) B(0, 8 bits)
         else Mem(Bits(8 bits), words.map(B(_, 8 bits))).readSync(index)
       }.reduce(_ ## _)
-    case None if scene.spheres.nonEmpty => sphereColor := ofSphere(latency)(i => B(scene.spheres(i).color, 24 bits))
-    case None                           => sphereColor := 0
+    case None if scene.spheres.nonEmpty =>
+      sphereColor := ofSphere(latency)(i => B(scene.spheres(i).color, 24 bits))
+    case None => sphereColor := 0
   }
 
   /** Quotients by the checker's cell, a bit a stage; only the last bit is kept. */

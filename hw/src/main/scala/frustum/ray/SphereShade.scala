@@ -39,7 +39,8 @@ case class SphereShade(format: RayShade, tech: Tech) extends Component {
   private def zeros(v: UInt, w: ShadeWindow): UInt = {
     val n = UInt(log2Up(w.last + 1) bits)
     n := w.last
-    for (k <- w.last - 1 to 0 by -1) when(v(v.high - w.step * k downto v.high - w.step * (k + 1) + 1) =/= 0)(n := k)
+    for (k <- w.last - 1 to 0 by -1)
+      when(v(v.high - w.step * k downto v.high - w.step * (k + 1) + 1) =/= 0)(n := k)
     n
   }
 
@@ -52,7 +53,9 @@ case class SphereShade(format: RayShade, tech: Tech) extends Component {
     val table = FunctionUnit(format.root, tech)
     table.io.x := RegNext(window(io.q, n, RayShade.RootWindow))
     private val late = Delay(n, towardsAge)
-    val value = Vec((0 to RayShade.RootWindow.last).map(k => table.io.y |>> (RayShade.RootWindow.step / 2 * k))).read(late)
+    val value        = Vec((0 to RayShade.RootWindow.last).map(k =>
+      table.io.y |>> (RayShade.RootWindow.step / 2 * k)
+    )).read(late)
   }
   val reciprocal = FunctionUnit(format.reciprocal, tech)
   reciprocal.io.x := top(io.square, 16)
@@ -62,7 +65,10 @@ case class SphereShade(format: RayShade, tech: Tech) extends Component {
     product.io.a := io.towards
     product.io.b := root.value
     val numerator = RegNext(
-      (io.lit >> numeratorShift).resize(numeratorBits) - right(product.io.product, productShift).resize(numeratorBits)
+      (io.lit >> numeratorShift).resize(numeratorBits) - right(
+        product.io.product,
+        productShift
+      ).resize(numeratorBits)
     )
     val quotient = WideMultiplier(tech, numeratorBits)
     quotient.io.a := numerator
@@ -78,9 +84,11 @@ case class SphereShade(format: RayShade, tech: Tech) extends Component {
     val table  = FunctionUnit(format.distance, tech)
     table.io.x := RegNext(window(d, n, RayShade.DistanceWindow))
     val scaled = Vec(
-      (0 to RayShade.DistanceWindow.last).map(k => right(m, scaleShift - RayShade.DistanceWindow.step / 2 * k).resize(16).asBits)
+      (0 to RayShade.DistanceWindow.last).map(k =>
+        right(m, scaleShift - RayShade.DistanceWindow.step / 2 * k).resize(16).asBits
+      )
     ).read(n)
-    val light  = Delay(lit, 1 + FunctionUnit.Latency + Multiplier16.Latency)
+    val light = Delay(lit, 1 + FunctionUnit.Latency + Multiplier16.Latency)
   }
   val scale = Multiplier16(tech, signedA = false, signedB = false)
   scale.io.enable := True

@@ -37,5 +37,6 @@ object Blocks {
 
   val assets: VoxelAssets = VoxelAssets(table, BlockArt.textures)
 
-  def id(name: String): Int = table.blocks.indexWhere(_.name == name).ensuring(_ >= 0, s"no block '$name'") + 1
+  def id(name: String): Int =
+    table.blocks.indexWhere(_.name == name).ensuring(_ >= 0, s"no block '$name'") + 1
 }

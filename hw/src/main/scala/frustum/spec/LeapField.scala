@@ -22,7 +22,10 @@ final case class LeapField(mask: Int, bits: Int) {
   val groups: Int    = 1 << axes.length
   val payload: Int   = BlockTable.IdBits.max(groups * bits)
   val wordBits: Int  = payload + 1
-  require(wordBits <= 31, s"LeapField: $groups distances of $bits bits make a word of $wordBits bits; at most 31")
+  require(
+    wordBits <= 31,
+    s"LeapField: $groups distances of $bits bits make a word of $wordBits bits; at most 31"
+  )
 
   /** The group of an octant: its masked bits moved together. */
   def group(octant: Int): Int = axes.zipWithIndex.map { case (axis, i) => (octant >> axis & 1) << i }.sum
@@ -33,11 +36,13 @@ final case class LeapField(mask: Int, bits: Int) {
     case i  => 1 - 2 * (group >> i & 1)
   }
 
-  def wordOfBlock(id: Int): Int              = 1 << payload | id
-  def wordOfAir(distances: Seq[Int]): Int    = distances.zipWithIndex.map { case (d, g) => (d - 1) << g * bits }.sum
-  def isBlock(word: Int): Boolean            = (word >> payload & 1) == 1
-  def id(word: Int): Int                     = if (isBlock(word)) word & (1 << BlockTable.IdBits) - 1 else 0
-  def distance(word: Int, octant: Int): Int  = (word >> group(octant) * bits & most - 1) + 1
+  def wordOfBlock(id: Int): Int           = 1 << payload | id
+  def wordOfAir(distances: Seq[Int]): Int = distances.zipWithIndex.map { case (d, g) =>
+    (d - 1) << g * bits
+  }.sum
+  def isBlock(word: Int): Boolean           = (word >> payload & 1) == 1
+  def id(word: Int): Int                    = if (isBlock(word)) word & (1 << BlockTable.IdBits) - 1 else 0
+  def distance(word: Int, octant: Int): Int = (word >> group(octant) * bits & most - 1) + 1
 }
 
 object LeapField {

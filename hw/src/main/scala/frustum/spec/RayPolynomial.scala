@@ -28,8 +28,8 @@ class RayAlgebra(b: RayProgramBuilder, width: Int, height: Int) {
 
   /** Product of two linear forms. */
   def product(p: RayPolynomial, q: RayPolynomial): RayPolynomial = {
-    val Seq(c, x, y) = parts(p)
-    val Seq(d, s, t) = parts(q)
+    val Seq(c, x, y)                                          = parts(p)
+    val Seq(d, s, t)                                          = parts(q)
     def cross(a: RayWord, e: RayWord, f: RayWord, g: RayWord) = b.add(b.multiply(a, e), b.multiply(f, g))
     RayPolynomial(
       Seq(

@@ -114,7 +114,8 @@ object RayProgram {
     }
 
     for (a <- 0 to 2) want(s"direction$a", direction(a))
-    if (scene.shaded && scene.light.isDefined && scene.spheres.nonEmpty) wantWithin("square", square, Interval(0, squareMost))
+    if (scene.shaded && scene.light.isDefined && scene.spheres.nonEmpty)
+      wantWithin("square", square, Interval(0, squareMost))
     for (w <- Wall.all) {
       val n = scale(direction(w.axis), b.constant(w.sign))
       for (u <- w.across)
@@ -200,7 +201,9 @@ object RayProgram {
         b.advance(s(1), p.c(4))
       case None => if (s.size > 1) b.advance(s(0), p.c(2))
     }
-    val forms = wanted.zip(state).map { case ((name, _, r), s) => RayForm(name, s.head.address - load, s.size, r) }
+    val forms = wanted.zip(state).map { case ((name, _, r), s) =>
+      RayForm(name, s.head.address - load, s.size, r)
+    }
     RayProgram(b.words.toIndexedSeq, inputs, b.frame.toSeq, b.row.toSeq, load, forms)
   }
 }

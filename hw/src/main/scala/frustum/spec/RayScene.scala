@@ -38,11 +38,13 @@ object RayCamera {
 case class RaySphere(low: IntVector, high: IntVector, radius: Int, color: Int) {
 
   /** Squares of the least and the greatest distance of its centre from a point. */
-  def nearest(p: IntVector): Long  = square(a => scala.math.max(0, scala.math.max(low(a) - p(a), p(a) - high(a))))
+  def nearest(p: IntVector): Long =
+    square(a => scala.math.max(0, scala.math.max(low(a) - p(a), p(a) - high(a))))
   def farthest(p: IntVector): Long = square(a => scala.math.max((low(a) - p(a)).abs, (high(a) - p(a)).abs))
 
   /** Square of the least distance between its centre and that of another. */
-  def gap(o: RaySphere): Long = square(a => scala.math.max(0, scala.math.max(low(a) - o.high(a), o.low(a) - high(a))))
+  def gap(o: RaySphere): Long =
+    square(a => scala.math.max(0, scala.math.max(low(a) - o.high(a), o.low(a) - high(a))))
   private def square(along: Int => Int): Long = (0 to 2).map(a => along(a).toLong * along(a)).sum
 }
 

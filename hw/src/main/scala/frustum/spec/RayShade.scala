@@ -18,10 +18,10 @@ import scala.math.{ceil, max, min, round, sqrt}
   *   least and greatest A of the picture
   */
 final class RayShade(scene: RayScene, program: RayProgram, squareLow: Long, squareHigh: Long) {
-  private val light       = scene.light.get
-  val radius: Int         = scene.spheres.map(_.radius).max
-  private val lightAway   = scene.spheres.map(s => s.farthest(light)).max
-  private def bits(v: Long) = BigInt(v).bitLength
+  private val light              = scene.light.get
+  val radius: Int                = scene.spheres.map(_.radius).max
+  private val lightAway          = scene.spheres.map(s => s.farthest(light)).max
+  private def bits(v: Long)      = BigInt(v).bitLength
   private def form(name: String) = scene.spheres.indices.map(i => program.form(s"$name$i").width).max
 
   /** Root of q: q < 2^rootBits, its 16 bits from the [[RayShade.RootWindow]] enter the table; 16 bits of
@@ -46,19 +46,19 @@ final class RayShade(scene: RayScene, program: RayProgram, squareLow: Long, squa
   val reciprocal: FunctionTable = new FunctionTable(false, x => (1 << reciprocalShift) / x)
 
   /** m with `fraction` bits of fraction; power < 2^powerBits. */
-  private val most        = ceil(radius * sqrt(lightAway.toDouble)).toLong
-  val powerBits: Int      = 2 * ((bits(lightAway) + 1) / 2)
-  val fraction: Int       = RayShade.NumberBits - bits(most)
-  val numberBits: Int     = RayShade.NumberBits + 2
-  val numberShift: Int    = reciprocalShift + squareBits - numeratorShift - fraction
+  private val most     = ceil(radius * sqrt(lightAway.toDouble)).toLong
+  val powerBits: Int   = 2 * ((bits(lightAway) + 1) / 2)
+  val fraction: Int    = RayShade.NumberBits - bits(most)
+  val numberBits: Int  = RayShade.NumberBits + 2
+  val numberShift: Int = reciprocalShift + squareBits - numeratorShift - fraction
 
   /** 1 / |P - hit|: its square, `distanceBits`, has 16 bits from the [[RayShade.DistanceWindow]] enter the table; m is
     * shifted by half as much and `scaleShift` to the right, so that it fits 16 bits as well. Bits 27..18 of their product
     * are the level.
     */
-  val distanceBits: Int      = powerBits + fraction
-  private val radiusBits     = bits(radius)
-  val scaleShift: Int        = fraction + radiusBits + powerBits / 2 - 16
+  val distanceBits: Int       = powerBits + fraction
+  private val radiusBits      = bits(radius)
+  val scaleShift: Int         = fraction + radiusBits + powerBits / 2 - 16
   val distance: FunctionTable = new FunctionTable(false, x => 4096 / sqrt(x))
 
   /** Colour of a sphere by level. */
@@ -70,7 +70,10 @@ final class RayShade(scene: RayScene, program: RayProgram, squareLow: Long, squa
       Seq(16, 8, 0).map(c => round((s.color >> c & 255) * (0.25 + 0.75 * cosine)).toInt << c).sum
     }
   }
-  require(numberShift >= 0, s"shading: numbers of ${numberBits} bits are too fine for rays of squared length $squareHigh")
+  require(
+    numberShift >= 0,
+    s"shading: numbers of ${numberBits} bits are too fine for rays of squared length $squareHigh"
+  )
 }
 
 /** Small numbers keep their bits by shifts to the left of 0, 1, .. `last` times `step`, while the bits so lost are zero. */

@@ -7,11 +7,18 @@ package frustum.spec
   *
   * @param eye in blocks, [[VoxelConfig.eyeBits]] fraction bits
   */
-final case class VoxelCamera(eye: IntVector, look: IntVector, base: IntVector, right: IntVector, down: IntVector) {
+final case class VoxelCamera(
+    eye: IntVector,
+    look: IntVector,
+    base: IntVector,
+    right: IntVector,
+    down: IntVector
+) {
 
   def direction(i: Int, j: Int): Seq[Int] =
-    Seq((base.x, right.x, down.x), (base.y, right.y, down.y), (base.z, right.z, down.z)).map { case (b, r, d) =>
-      b + i * r + j * d
+    Seq((base.x, right.x, down.x), (base.y, right.y, down.y), (base.z, right.z, down.z)).map {
+      case (b, r, d) =>
+        b + i * r + j * d
     }
 }
 

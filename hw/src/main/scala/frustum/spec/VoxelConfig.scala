@@ -26,7 +26,10 @@ final case class VoxelConfig(
   require(height >= 16 && height <= 1024, s"height $height is not in 16..1024")
   require(slopeBits >= 12 && slopeBits <= 15, s"slopes of $slopeBits fraction bits; 12 to 15 are supported")
   require(eyeBits >= 4 && eyeBits <= 8, s"an eye of $eyeBits fraction bits; 4 to 8 are supported")
-  require(distance >= 1 && distance <= VoxelConfig.MostDistance, s"view distance $distance is not in 1..${VoxelConfig.MostDistance}")
+  require(
+    distance >= 1 && distance <= VoxelConfig.MostDistance,
+    s"view distance $distance is not in 1..${VoxelConfig.MostDistance}"
+  )
 
   /** Of a position along a ray's slower axes. */
   val fractionBits: Int = slopeBits + eyeBits
@@ -35,7 +38,7 @@ final case class VoxelConfig(
   val blockBits: Int = 33 - Integer.numberOfLeadingZeros(size.axes.max + VoxelConfig.Around + leaps.most)
 
   /** Signed, of the last border that a ray may cross. */
-  val endBits: Int = blockBits + 1
+  val endBits: Int   = blockBits + 1
   val pixels: Int    = width * height
   val pixelBits: Int = 32 - Integer.numberOfLeadingZeros(pixels)
 
@@ -46,9 +49,9 @@ final case class VoxelConfig(
     yield ceil(distance / sqrt(1 + a * a / 64.0 + b * b / 64.0)).toInt + 1
 
   /** Squared view distance in texels; where fog begins; and what a squared texel adds to the fog's weight of 256, in 2^-16. */
-  val farSquared: Int = square(16 * distance)
-  val fogSquared: Int = square(12 * distance)
-  val fogStep: Int    = (256 << 16) / (farSquared - fogSquared)
+  val farSquared: Int        = square(16 * distance)
+  val fogSquared: Int        = square(12 * distance)
+  val fogStep: Int           = (256 << 16) / (farSquared - fogSquared)
   private def square(n: Int) = n * n
 }
 

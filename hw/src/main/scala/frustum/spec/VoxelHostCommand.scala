@@ -21,6 +21,7 @@ object VoxelHostCommand {
     body :+ (-body.sum & 255)
   }
 
-  def write(address: Int, word: Int): Seq[Int]  = bytes(Write, Seq(address, word))
-  def camera(c: VoxelCamera): Seq[Int]          = bytes(Camera, Seq(c.eye, c.look, c.base, c.right, c.down).flatMap(_.axes))
+  def write(address: Int, word: Int): Seq[Int] = bytes(Write, Seq(address, word))
+  def camera(c: VoxelCamera): Seq[Int]         =
+    bytes(Camera, Seq(c.eye, c.look, c.base, c.right, c.down).flatMap(_.axes))
 }

@@ -12,8 +12,9 @@ final case class WorldSize(x: Int, y: Int, z: Int) {
   val addressBits: Int  = logs.sum
   override def toString = s"${x}x${y}x$z"
 
-  def contains(bx: Int, by: Int, bz: Int): Boolean = bx >= 0 && bx < x && by >= 0 && by < y && bz >= 0 && bz < z
-  def address(bx: Int, by: Int, bz: Int): Int      = {
+  def contains(bx: Int, by: Int, bz: Int): Boolean =
+    bx >= 0 && bx < x && by >= 0 && by < y && bz >= 0 && bz < z
+  def address(bx: Int, by: Int, bz: Int): Int = {
     require(contains(bx, by, bz), s"block ($bx, $by, $bz) lies outside the world of $this")
     (bx * y + by) * z + bz
   }

@@ -15,7 +15,7 @@ case class TexelHit(c: VoxelConfig, slots: Int) extends Bundle {
   val pixel = UInt(c.pixelBits bits)
   val pick  = Bool()
   val slot  = UInt(log2Up(slots) bits)
-  val shown = Bool() // a face, and in view
+  val shown = Bool()                      // a face, and in view
   val last  = Bool()
   val id    = UInt(frustum.spec.BlockTable.IdBits bits)
   val face  = UInt(3 bits)
@@ -44,25 +44,25 @@ case class FaceTexel(c: VoxelConfig, slots: Int) extends Component {
   private val line  = new LockstepPipeline(10)
 
   val HIT    = Payload(FaceHit(c, slots))
-  val WITHIN = Payload(Vec(SInt(shift + 2 bits), 2)) // positions from the block's corner
+  val WITHIN = Payload(Vec(SInt(shift + 2 bits), 2))       // positions from the block's corner
   val RUN    = Payload(UInt(shift + 1 bits))
   val SIDE   = Payload(SInt(shift + 2 bits))
   val OWN    = Payload(UInt(c.slopeBits bits))
   val OTHER  = Payload(UInt(c.slopeBits bits))
   val BEFORE = Payload(SInt(shift + 2 + c.slopeBits + 1 bits))
   val DURING = Payload(UInt(shift + 1 + c.slopeBits bits))
-  val ALONG  = Seq.fill(4)(Payload(UInt(shift + 1 bits))) // rests of the divisions before digit k
+  val ALONG  = Seq.fill(4)(Payload(UInt(shift + 1 bits)))  // rests of the divisions before digit k
   val ACROSS = Seq.fill(4)(Payload(UInt(shift + 1 + c.slopeBits bits)))
   val DIGIT  = Seq.fill(4)(Payload(Bits(2 bits)))
-  val TEXEL  = Payload(Vec(UInt(4 bits), 3)) // fast axis first, mirrored
-  val INSIDE = Payload(Vec(UInt(4 bits), 3)) // x, y, z
+  val TEXEL  = Payload(Vec(UInt(4 bits), 3))               // fast axis first, mirrored
+  val INSIDE = Payload(Vec(UInt(4 bits), 3))               // x, y, z
   val BLOCK  = Payload(Vec(UInt(c.size.logs.max bits), 3)) // x, y, z
   val AWAY   = Payload(Vec(SInt(c.blockBits + 5 bits), 3))
   val SQUARE = Payload(Vec(UInt(TexelHit.FarBits bits), 3))
   val FACE   = Payload(UInt(3 bits))
 
-  line(0).valid  := io.up.valid
-  line(0)(HIT) := io.up.payload
+  line(0).valid := io.up.valid
+  line(0)(HIT)  := io.up.payload
   for (i <- 0 to 1) {
     val corner = (io.up.block(i + 1) ## B(0, shift bits)).asUInt.resize(c.blockBits + shift).asSInt
     line(0)(WITHIN)(i) := (io.up.at(i) + io.up.ray.low(i).asUInt.resize(c.blockBits + shift).asSInt - corner)
@@ -83,8 +83,10 @@ case class FaceTexel(c: VoxelConfig, slots: Int) extends Component {
     node(DURING) := node(RUN) * node(OTHER)
   }
 
-  line(3)(ALONG(3))  := line(3)(RUN)
-  line(3)(ACROSS(3)) := (line(3)(BEFORE) + line(3)(DURING).resize(shift + 3 + c.slopeBits).asSInt).asUInt.resized
+  line(3)(ALONG(3)) := line(3)(RUN)
+  line(3)(
+    ACROSS(3)
+  ) := (line(3)(BEFORE) + line(3)(DURING).resize(shift + 3 + c.slopeBits).asSInt).asUInt.resized
 
   /** A digit of both quotients at each of four nodes: subtract a sixteenth of the divisor times 2^k where that goes. */
   val division = for (k <- 3 to 0 by -1) yield new Area {
@@ -95,20 +97,22 @@ case class FaceTexel(c: VoxelConfig, slots: Int) extends Component {
         (1, ACROSS(k), ACROSS.lift(k - 1), c.fractionBits - 4)
       )
     ) {
-      val less = node(rest).resize(node(rest).getWidth + 1) - (node(OWN) << sixteenth + k).resize(node(rest).getWidth + 1)
+      val less = node(
+        rest
+      ).resize(node(rest).getWidth + 1) - (node(OWN) << sixteenth + k).resize(node(rest).getWidth + 1)
       node(DIGIT(k))(i) := !less.msb
       next.foreach(n => node(n) := Mux(less.msb, node(rest), less.resize(node(rest).getWidth)))
     }
   }
 
   val texel = new Area {
-    val node = line(7)
+    val node     = line(7)
     val straight = Vec((0 to 1).map { i =>
       val sixteenth = node(WITHIN)(i)(shift downto shift - 4).asUInt
       Mux(sixteenth.msb, U(15, 4 bits), sixteenth(3 downto 0))
     })
     val Seq(along, across) = (0 to 1).map(i => Cat((0 to 3).map(k => node(DIGIT(k))(i))).asUInt)
-    val entry = node(HIT).entry
+    val entry              = node(HIT).entry
     node(TEXEL)(0) := Mux(entry === 0, U(0), along)
     node(TEXEL)(1) := entry.mux(0 -> straight(0), 1 -> U(0), default -> across)
     node(TEXEL)(2) := entry.mux(0 -> straight(1), 1 -> across, default -> U(0))
@@ -124,10 +128,16 @@ case class FaceTexel(c: VoxelConfig, slots: Int) extends Component {
     for (k <- 0 to 2) {
       val t     = axis(ray.fast, node(TEXEL), k)
       val block = axis(ray.fast, node(HIT).block, k)
-      val eye   = Mux(ray.mirrored(k), S(c.size.axes(k) << c.eyeBits, c.blockBits + c.eyeBits bits) - io.eye(k), io.eye(k))
+      val eye   = Mux(
+        ray.mirrored(k),
+        S(c.size.axes(k) << c.eyeBits, c.blockBits + c.eyeBits bits) - io.eye(k),
+        io.eye(k)
+      )
       node(INSIDE)(k) := Mux(ray.mirrored(k), ~t, t)
       node(BLOCK)(k)  := Mux(ray.mirrored(k), U((c.size.axes(k) - 1), c.size.logs.max bits) - block, block)
-      node(AWAY)(k)   := (block @@ t).resize(c.blockBits + 5).asSInt - (eye >> c.eyeBits - 4).resize(c.blockBits + 5)
+      node(AWAY)(
+        k
+      ) := (block @@ t).resize(c.blockBits + 5).asSInt - (eye >> c.eyeBits - 4).resize(c.blockBits + 5)
     }
     val sum  = ray.fast.resize(3) + node(HIT).entry
     val side = Mux(sum >= 3, sum - 3, sum).resize(2)
@@ -139,21 +149,21 @@ case class FaceTexel(c: VoxelConfig, slots: Int) extends Component {
   }
 
   val result = new Area {
-    val node        = line.nodes.last
+    val node          = line.nodes.last
     val (in, x, y, z) = (node(HIT), node(INSIDE)(0), node(INSIDE)(1), node(INSIDE)(2))
-    val out         = io.down.payload
+    val out           = io.down.payload
     io.down.valid := node.isValid
-    out.slot  := in.slot
-    out.last  := in.last
-    out.id    := in.id
-    out.pixel := in.ray.pixel
-    out.pick  := in.ray.pick
-    out.face  := node(FACE)
-    out.block := node(BLOCK)
-    out.u     := node(FACE).mux(0 -> ~y, 1 -> y, 2 -> x, 3 -> ~x, 4 -> x, default -> ~x)
-    out.v     := Mux(node(FACE)(2), y, ~z)
-    out.far   := node(SQUARE).reduce(_ + _)
-    out.shown := in.face && out.far <= c.farSquared
+    out.slot      := in.slot
+    out.last      := in.last
+    out.id        := in.id
+    out.pixel     := in.ray.pixel
+    out.pick      := in.ray.pick
+    out.face      := node(FACE)
+    out.block     := node(BLOCK)
+    out.u         := node(FACE).mux(0 -> ~y, 1 -> y, 2 -> x, 3 -> ~x, 4 -> x, default -> ~x)
+    out.v         := Mux(node(FACE)(2), y, ~z)
+    out.far       := node(SQUARE).reduce(_ + _)
+    out.shown     := in.face && out.far <= c.farSquared
   }
   line.build()
 }

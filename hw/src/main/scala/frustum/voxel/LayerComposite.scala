@@ -24,7 +24,8 @@ case class PointedAt(c: VoxelConfig) extends Bundle {
   *
   * @param slots rays at one time, each with its own layers
   */
-case class LayerComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelTextures, slots: Int) extends Component {
+case class LayerComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelTextures, slots: Int)
+    extends Component {
   val io = new Bundle {
     val pointedAt = in(PointedAt(c))
     val up        = slave(Flow(TexelHit(c, slots)))
@@ -33,40 +34,49 @@ case class LayerComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelText
   private val line = new LockstepPipeline(11)
   private val sky  = Seq(16, 8, 0).map(at => c.sky >> at & 255)
 
-  val HIT     = Payload(TexelHit(c, slots))
-  val CHOSEN  = Payload(Bool())
-  val BEYOND  = Payload(UInt(TexelHit.FarBits bits))
-  val FOG     = Payload(UInt(9 bits))
-  val ALPHA   = Payload(UInt(5 bits)) // of 16
-  val LIT     = Payload(Vec(UInt(8 bits), 3))
-  val SHOWN   = Payload(Vec(UInt(8 bits), 3))
-  val VEIL    = Payload(Vec(SInt(18 bits), 3))
-  val COLOR   = Payload(Vec(UInt(8 bits), 3))
-  val WEIGHT  = Payload(UInt(8 bits))
-  val LIGHT   = Payload(Vec(UInt(16 bits), 3))
-  val TOTAL   = Payload(Vec(UInt(16 bits), 3))
-  val PIXEL   = Payload(Vec(UInt(8 bits), 3))
+  val HIT    = Payload(TexelHit(c, slots))
+  val CHOSEN = Payload(Bool())
+  val BEYOND = Payload(UInt(TexelHit.FarBits bits))
+  val FOG    = Payload(UInt(9 bits))
+  val ALPHA  = Payload(UInt(5 bits)) // of 16
+  val LIT    = Payload(Vec(UInt(8 bits), 3))
+  val SHOWN  = Payload(Vec(UInt(8 bits), 3))
+  val VEIL   = Payload(Vec(SInt(18 bits), 3))
+  val COLOR  = Payload(Vec(UInt(8 bits), 3))
+  val WEIGHT = Payload(UInt(8 bits))
+  val LIGHT  = Payload(Vec(UInt(16 bits), 3))
+  val TOTAL  = Payload(Vec(UInt(16 bits), 3))
+  val PIXEL  = Payload(Vec(UInt(8 bits), 3))
 
-  line(0).valid  := io.up.valid
-  line(0)(HIT) := io.up.payload
+  line(0).valid := io.up.valid
+  line(0)(HIT)  := io.up.payload
 
   private def rom(bits: Int, words: Seq[Int]) = Mem(Bits(bits bits), words.map(B(_, bits bits)))
 
   /** Texture by id and face, colour index by texel, colour by texture and index: one memory a node. */
   val texture = new Area {
-    val hit   = line(0)(HIT)
-    val byId  = rom(5, (0 to BlockTable.Most).flatMap { id =>
-      (0 until 8).map(f => if (kinds.ids.contains(id) && f < 6) kinds(id).textures(f) else 0)
-    })
-    val number  = byId.readSync(hit.id @@ hit.face) // at node 1
-    val texels  = rom(4, (0 until VoxelTextures.Most).flatMap { t =>
-      if (t < textures.indices.length) textures.indices(t) else Seq.fill(256)(0)
-    })
-    val index   = texels.readSync((number ## line(1)(HIT).v ## line(1)(HIT).u).asUInt) // at node 2
-    val colors  = rom(16, (0 until VoxelTextures.Most).flatMap { t =>
-      if (t < textures.palettes.length) textures.palettes(t) else Seq.fill(16)(0)
-    })
-    val rgba    = colors.readSync((RegNext(number) ## index).asUInt) // at node 3
+    val hit  = line(0)(HIT)
+    val byId = rom(
+      5,
+      (0 to BlockTable.Most).flatMap { id =>
+        (0 until 8).map(f => if (kinds.ids.contains(id) && f < 6) kinds(id).textures(f) else 0)
+      }
+    )
+    val number = byId.readSync(hit.id @@ hit.face) // at node 1
+    val texels = rom(
+      4,
+      (0 until VoxelTextures.Most).flatMap { t =>
+        if (t < textures.indices.length) textures.indices(t) else Seq.fill(256)(0)
+      }
+    )
+    val index  = texels.readSync((number ## line(1)(HIT).v ## line(1)(HIT).u).asUInt) // at node 2
+    val colors = rom(
+      16,
+      (0 until VoxelTextures.Most).flatMap { t =>
+        if (t < textures.palettes.length) textures.palettes(t) else Seq.fill(16)(0)
+      }
+    )
+    val rgba = colors.readSync((RegNext(number) ## index).asUInt) // at node 3
   }
 
   val distance = new Area {
@@ -74,7 +84,7 @@ case class LayerComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelText
     line(1)(BEYOND) := Mux(hit.far > c.fogSquared, hit.far - c.fogSquared, U(0))
     // Shown faces are within the view: the product has at most 25 bits. What is out of view is not shown.
     val weight = line(2)(BEYOND)(TexelHit.FarBits - 1 downto 0) * U(c.fogStep)
-    line(2)(FOG)    := (if (c.fog) (weight >> 16).resize(9) else U(0, 9 bits))
+    line(2)(FOG) := (if (c.fog) (weight >> 16).resize(9) else U(0, 9 bits))
     val at = io.pointedAt
     line(1)(CHOSEN) := at.valid && at.face === hit.face && at.block === hit.block
   }
@@ -85,10 +95,14 @@ case class LayerComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelText
     node(ALPHA) := Mux(node(HIT).shown, alpha.resize(5) + alpha.msb.asUInt, U(16))
     val lights = VoxelConfig.Light.distinct
     val which  = node(HIT).face.mux(
-      (0 until 6).map(f => f -> U(lights.indexOf(VoxelConfig.Light(f)), 2 bits)) :+ (default -> U(0, 2 bits)): _*
+      (0 until 6).map(f => f -> U(lights.indexOf(VoxelConfig.Light(f)), 2 bits)) :+ (default -> U(
+        0,
+        2 bits
+      )): _*
     )
     for ((at, i) <- Seq(12, 8, 4).zipWithIndex) {
-      val table = Vec(for (l <- 0 until 4; v <- 0 until 16) yield U(v * 17 * lights.lift(l).getOrElse(0) >> 8, 8 bits))
+      val table =
+        Vec(for (l <- 0 until 4; v <- 0 until 16) yield U(v * 17 * lights.lift(l).getOrElse(0) >> 8, 8 bits))
       node(LIT)(i) := table(which @@ texture.rgba(at, 4 bits).asUInt)
     }
   }

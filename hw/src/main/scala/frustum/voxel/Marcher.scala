@@ -17,32 +17,32 @@ import spinal.lib.misc.pipeline._
 case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
   import Marcher._
   private val table = BlockFlags(kinds)
-  val io = new Bundle {
+  val io            = new Bundle {
     val up     = slave(Stream(RayStart(c)))
     val memory = master(WorldReadBus(c))
     val hits   = master(Flow(FaceHit(c, Slots)))
     val step   = out Bool () // a step is made
   }
-  private val whole = c.blockBits
-  private val shift = c.fractionBits
+  private val whole                 = c.blockBits
+  private val shift                 = c.fractionBits
   private def floor(at: SInt): SInt = at >> shift
 
-  val RAY      = Payload(VoxelRay(c))
-  val PLACE    = Payload(VoxelPlace(c))
-  val END      = Payload(SInt(c.endBits bits))
-  val ENTRY    = Payload(UInt(2 bits)) // 3: the ray starts in this block
-  val PREVIOUS = Payload(UInt(BlockTable.IdBits bits))
-  val SLOT     = Payload(UInt(log2Up(Slots) bits))
-  val BLOCK    = Payload(Vec(SInt(whole bits), 3)) // fast axis first
+  val RAY                     = Payload(VoxelRay(c))
+  val PLACE                   = Payload(VoxelPlace(c))
+  val END                     = Payload(SInt(c.endBits bits))
+  val ENTRY                   = Payload(UInt(2 bits))                       // 3: the ray starts in this block
+  val PREVIOUS                = Payload(UInt(BlockTable.IdBits bits))
+  val SLOT                    = Payload(UInt(log2Up(Slots) bits))
+  val BLOCK                   = Payload(Vec(SInt(whole bits), 3))           // fast axis first
   val INSIDE, OUT, FACE, LAST = Payload(Bool())
-  val ID       = Payload(UInt(BlockTable.IdBits bits))
-  val REACH    = Payload(UInt(5 bits))
-  val RUN      = Payload(Vec(UInt(c.slopeBits + 5 bits), 2)) // of the slopes over the reach
-  val TO       = Payload(Vec(UInt(shift + 1 bits), 2)) // ways to the next borders of the other axes
-  val FAR      = Payload(Vec(SInt(whole + shift bits), 2))
-  val CROSS    = Payload(Vec(UInt(shift + 1 + c.slopeBits bits), 2))
+  val ID                      = Payload(UInt(BlockTable.IdBits bits))
+  val REACH                   = Payload(UInt(5 bits))
+  val RUN                     = Payload(Vec(UInt(c.slopeBits + 5 bits), 2)) // of the slopes over the reach
+  val TO          = Payload(Vec(UInt(shift + 1 bits), 2)) // ways to the next borders of the other axes
+  val FAR         = Payload(Vec(SInt(whole + shift bits), 2))
+  val CROSS       = Payload(Vec(UInt(shift + 1 + c.slopeBits bits), 2))
   val FITS, FIRST = Payload(Bool())
-  val BACK     = Payload(Vec(SInt(whole + shift bits), 2))
+  val BACK        = Payload(Vec(SInt(whole + shift bits), 2))
 
   val line = new LockstepPipeline(Slots)
   val tail = line.nodes.last
@@ -59,8 +59,8 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
       next.at(i)   := Mux(tail(FITS), tail(FAR)(i), Mux(leap, tail(BACK)(i), tail(PLACE).at(i)))
       next.past(i) := !leap && (tail(PLACE).past(i) || (tail(FIRST) ^ Bool(i == 1)))
     }
-    io.up.ready     := !again
-    line(0).valid    := again || io.up.valid
+    io.up.ready       := !again
+    line(0).valid     := again || io.up.valid
     line(0)(RAY)      := Mux(again, tail(RAY), io.up.ray)
     line(0)(PLACE)    := Mux(again, next, io.up.place)
     line(0)(END)      := Mux(again, tail(END), io.up.end)
@@ -72,7 +72,7 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
 
   val where = new Area {
     val place = line(1)(PLACE)
-    line(1)(BLOCK)(0) := place.plane
+    line(1)(BLOCK)(0)                       := place.plane
     for (i <- 0 to 1) line(1)(BLOCK)(i + 1) := floor(place.at(i)) + place.past(i).asUInt.resize(whole).asSInt
   }
 
@@ -81,8 +81,8 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
     val xyz   = for (k <- 0 to 2)
       yield line(2)(RAY).fast.mux(0 -> block(k), 1 -> block((k + 2) % 3), default -> block((k + 1) % 3))
     val beyond = Vec((0 to 2).map(k => !xyz(k).msb && (xyz(k) >> c.size.logs(k)) =/= 0))
-    line(2)(INSIDE) := !xyz.map(_.msb).reduce(_ || _)
-    line(2)(OUT)    := beyond.asBits.orR || block(0).resize(c.endBits) > line(2)(END)
+    line(2)(INSIDE)   := !xyz.map(_.msb).reduce(_ || _)
+    line(2)(OUT)      := beyond.asBits.orR || block(0).resize(c.endBits) > line(2)(END)
     io.memory.address := Cat((2 to 0 by -1).map { k =>
       val low = xyz(k)(c.size.logs(k) - 1 downto 0).asBits
       Mux(line(2)(RAY).mirrored(k), ~low, low)
@@ -116,21 +116,24 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
       val fraction = node(PLACE).at(i)(shift - 1 downto 0).asUInt
       node(TO)(i) := U(1 << shift, shift + 1 bits) - fraction.resize(shift + 1) - node(RAY).low(i).asUInt
     }
-    io.hits.valid := node.isValid && (node(FACE) || node(LAST))
-    io.hits.ray   := node(RAY)
-    io.hits.slot  := node(SLOT)
-    io.hits.face  := node(FACE)
-    io.hits.last  := node(LAST)
-    io.hits.id    := node(ID)
-    io.hits.entry := node(ENTRY)
-    io.hits.at    := node(PLACE).at
+    io.hits.valid                      := node.isValid && (node(FACE) || node(LAST))
+    io.hits.ray                        := node(RAY)
+    io.hits.slot                       := node(SLOT)
+    io.hits.face                       := node(FACE)
+    io.hits.last                       := node(LAST)
+    io.hits.id                         := node(ID)
+    io.hits.entry                      := node(ENTRY)
+    io.hits.at                         := node(PLACE).at
     for (k <- 0 to 2) io.hits.block(k) := node(BLOCK)(k).asUInt.resized
   }
 
   val far = new Area {
     val node = line(5)
     for (i <- 0 to 1) {
-      node(FAR)(i)   := node(PLACE).at(i) + (node(RUN)(i) ## B(0, c.eyeBits bits)).asUInt.resize(whole + shift).asSInt
+      node(FAR)(i) := node(PLACE).at(i) + (node(RUN)(i) ## B(
+        0,
+        c.eyeBits bits
+      )).asUInt.resize(whole + shift).asSInt
       node(CROSS)(i) := node(TO)(i) * node(RAY).slopes(1 - i)
     }
   }
@@ -140,7 +143,10 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
     val crosses = Vec(Bool(), 2)
     val fits    = Vec(Bool(), 2)
     for (i <- 0 to 1) {
-      node(BACK)(i) := node(FAR)(i) - (node(RAY).slopes(i) ## B(0, c.eyeBits bits)).asUInt.resize(whole + shift).asSInt
+      node(BACK)(i) := node(FAR)(i) - (node(RAY).slopes(i) ## B(
+        0,
+        c.eyeBits bits
+      )).asUInt.resize(whole + shift).asSInt
       fits(i)    := floor(node(FAR)(i)) - node(BLOCK)(i + 1) < node(REACH).resize(whole).asSInt
       crosses(i) := !node(PLACE).past(i) && floor(node(FAR)(i)) =/= floor(node(PLACE).at(i))
     }

@@ -18,15 +18,15 @@ case class PixelRays(c: VoxelConfig) extends Component {
     val busy   = out Bool ()
   }
   val picking, waiting, scanning = RegInit(False)
-  val pixel       = Reg(UInt(c.pixelBits bits))
-  val column      = Reg(UInt(log2Up(c.width) bits))
-  val row, now    = Reg(Direction())
+  val pixel                      = Reg(UInt(c.pixelBits bits))
+  val column                     = Reg(UInt(log2Up(c.width) bits))
+  val row, now                   = Reg(Direction())
 
-  io.busy := picking || waiting || scanning
-  io.down.valid           := picking || scanning
-  io.down.pick            := picking
-  io.down.pixel           := pixel
-  io.down.direction       := now
+  io.busy           := picking || waiting || scanning
+  io.down.valid     := picking || scanning
+  io.down.pick      := picking
+  io.down.pixel     := pixel
+  io.down.direction := now
 
   when(io.start && !io.busy) {
     picking := True
@@ -45,8 +45,8 @@ case class PixelRays(c: VoxelConfig) extends Component {
     now      := io.camera.base
   }
   when(scanning && io.down.ready) {
-    pixel  := pixel + 1
-    column := column + 1
+    pixel                         := pixel + 1
+    column                        := column + 1
     for (k <- 0 to 2) now.axes(k) := now.axes(k) + io.camera.right.axes(k)
     when(column === c.width - 1) {
       column := 0

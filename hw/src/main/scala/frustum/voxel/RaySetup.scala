@@ -60,10 +60,14 @@ case class RaySetup(c: VoxelConfig, tech: Tech) extends Component {
   val ordered = new Area {
     val fast = line(2)(FAST)
     val eye  = for (k <- 0 to 2)
-      yield Mux(line(2)(MIRRORED)(k), S(c.size.axes(k) << c.eyeBits, c.blockBits + c.eyeBits bits) - io.eye(k), io.eye(k))
-    line(2)(MAJOR) := inOrder(fast, line(2)(MAGNITUDE).toSeq, 0)
+      yield Mux(
+        line(2)(MIRRORED)(k),
+        S(c.size.axes(k) << c.eyeBits, c.blockBits + c.eyeBits bits) - io.eye(k),
+        io.eye(k)
+      )
+    line(2)(MAJOR)                      := inOrder(fast, line(2)(MAGNITUDE).toSeq, 0)
     for (i <- 0 to 1) line(2)(MINOR)(i) := inOrder(fast, line(2)(MAGNITUDE).toSeq, i + 1)
-    for (k <- 0 to 2) line(2)(FROM)(k) := inOrder(fast, eye, k)
+    for (k <- 0 to 2) line(2)(FROM)(k)  := inOrder(fast, eye, k)
   }
 
   val normalise = new Area {
@@ -113,7 +117,7 @@ case class RaySetup(c: VoxelConfig, tech: Tech) extends Component {
       back.io.b      := behind.asBits.resized
       val low = after(i) && line(11)(SLOPE)(i) =/= 0
       line(11)(LOW)(i) := low
-      line(11)(AT)(i) := (from(i + 1) ## B(0, c.slopeBits bits)).asSInt -
+      line(11)(AT)(i)  := (from(i + 1) ## B(0, c.slopeBits bits)).asSInt -
         (back.io.product(c.fractionBits downto 0).asUInt + low.asUInt).resize(c.fractionBits + 2).asSInt
     }
     val steep = Vec((0 to 1).map(i => line(11)(SLOPE)(i)(c.slopeBits - 1 downto c.slopeBits - 3)))
@@ -132,7 +136,7 @@ case class RaySetup(c: VoxelConfig, tech: Tech) extends Component {
     payload.place.at     := node(AT)
     for (i <- 0 to 1)
       payload.place.past(i) := (node(AT)(i) >> c.fractionBits) =/= (node(FROM)(i + 1) >> c.eyeBits)
-    payload.end := node(END)
+    payload.end             := node(END)
   }
   line.build()
 }

@@ -37,8 +37,9 @@ case class VoxelHost(c: VoxelConfig, initial: frustum.spec.VoxelCamera, silence:
   io.bytes.ready  := !editValid
 
   private def number(n: Int, of: Int) = payload(8 * 3 * (of - 1 - n), 24 bits).asSInt
-  private val fields                  = camera.eye.toSeq ++ Seq(camera.look, camera.base, camera.right, camera.down).flatMap(_.axes)
-  private val values                  =
+  private val fields                  =
+    camera.eye.toSeq ++ Seq(camera.look, camera.base, camera.right, camera.down).flatMap(_.axes)
+  private val values =
     Seq(initial.eye, initial.look, initial.base, initial.right, initial.down).flatMap(_.axes)
   for ((field, value) <- fields.zip(values)) field.init(S(value, field.getWidth bits))
 
@@ -47,12 +48,12 @@ case class VoxelHost(c: VoxelConfig, initial: frustum.spec.VoxelCamera, silence:
     val byte = io.bytes.payload.asUInt
     sum := sum + byte
     when(left === 0) {
-      sum := byte
+      sum      := byte
       isCamera := byte === Camera
       switch(byte) {
-        is(Write)(left := WriteBytes + 1)
+        is(Write)(left  := WriteBytes + 1)
         is(Camera)(left := CameraBytes + 1)
-        default(refuse := True)
+        default(refuse  := True)
       }
     } otherwise {
       left := left - 1

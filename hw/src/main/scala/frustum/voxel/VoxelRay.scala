@@ -10,7 +10,7 @@ case class Direction() extends Bundle {
 
 /** A camera at a frame's start; see [[frustum.spec.VoxelCamera]]. */
 case class CameraPort(c: VoxelConfig) extends Bundle {
-  val eye               = Vec(SInt(c.blockBits + c.eyeBits bits), 3)
+  val eye                     = Vec(SInt(c.blockBits + c.eyeBits bits), 3)
   val look, base, right, down = Direction()
 }
 

@@ -29,10 +29,16 @@ case class WorldMemory(c: VoxelConfig, tech: Tech) extends Component {
       words.write(io.write.address, io.write.word, io.write.valid)
       Some(words)
     case Tech.Ice40 =>
-      require(c.leaps.wordBits <= 8, s"a word of ${c.leaps.wordBits} bits; in the iCE40's SPRAM it has at most 8")
+      require(
+        c.leaps.wordBits <= 8,
+        s"a word of ${c.leaps.wordBits} bits; in the iCE40's SPRAM it has at most 8"
+      )
       val perBlock = 2 * SpramBlock.Words
       val blocks   = (c.size.blocks + perBlock - 1) / perBlock
-      require(blocks <= 4, s"a world of ${c.size}, ${c.size.blocks} blocks; the iCE40UP5K's SPRAM holds ${4 * perBlock}")
+      require(
+        blocks <= 4,
+        s"a world of ${c.size}, ${c.size.blocks} blocks; the iCE40UP5K's SPRAM holds ${4 * perBlock}"
+      )
       val address  = Mux(io.write.valid, io.write.address, io.read.address)
       val upper    = RegNext(address(0))
       val select   = (address >> 15).resize(2)

@@ -11,7 +11,8 @@ import java.nio.file.{Files, Path, Paths}
   */
 object BitstreamCommand extends CommandLine {
   val name    = "bitstream"
-  val summary = "builds a board's top; writes out/bitstream/TOP.bin (Arty: .fasm) and the figures to out/bitstream/TOP.json"
+  val summary =
+    "builds a board's top; writes out/bitstream/TOP.bin (Arty: .fasm) and the figures to out/bitstream/TOP.json"
 
   private val parser = TopArguments.parser(name, summary, seeds = true)
 
@@ -21,7 +22,9 @@ object BitstreamCommand extends CommandLine {
       val directory = Paths.get("out", "bitstream")
       Files.createDirectories(directory)
       // What an earlier run left would pass for this run's if this one failed.
-      Seq("json", top.part.bitstream).foreach(kind => Files.deleteIfExists(directory.resolve(s"${top.name}.$kind")))
+      Seq("json", top.part.bitstream).foreach(kind =>
+        Files.deleteIfExists(directory.resolve(s"${top.name}.$kind"))
+      )
       val report = build(top, arguments.seeds, directory)
       val file   = directory.resolve(s"${top.name}.json")
       OutputFile.writeText(file, ujson.write(report.json(BuildInfo.version), indent = 2) + "\n")
@@ -32,25 +35,37 @@ object BitstreamCommand extends CommandLine {
   private def build(top: BoardTop, seeds: Int, directory: Path): BitstreamReport = {
     def say(line: String): Unit = println(s"$name ${top.name}: $line")
     try {
-      println(s"$name ${top.name}: target ${top.targetMHz} MHz (${top.core.source}), seeds ${(1 to seeds).mkString(", ")}")
+      println(
+        s"$name ${top.name}: target ${top.targetMHz} MHz (${top.core.source}), seeds ${(1 to seeds).mkString(", ")}"
+      )
       val flow = top.part match {
         case Part.Ice40Up5k => new Ice40Flow(Ice40Tools.find(say))
         case _: Part.Artix7 => new Artix7Flow(Artix7Tools.find())
       }
       val report = flow.run(top, 1 to seeds, directory, say)
       if (report.fits && top.part == Part.Ice40Up5k && report.icetimeMHz.isEmpty)
-        say("no icetime here, so no icetimeMHz in the report; it is in Debian's fpga-icestorm and fpga-icestorm-chipdb")
+        say(
+          "no icetime here, so no icetimeMHz in the report; it is in Debian's fpga-icestorm and fpga-icestorm-chipdb"
+        )
       report
     } catch { case MissingTool(message) => throw InputError(message) }
   }
 
   private def verdict(report: BitstreamReport): Int = {
     val top = report.top
-    if (!report.fits) Console.err.println(s"error: ${top.name} does not fit the ${top.part.name}; see out/bitstream/${top.name}.json")
+    if (!report.fits) Console.err.println(
+      s"error: ${top.name} does not fit the ${top.part.name}; see out/bitstream/${top.name}.json"
+    )
     else if (!report.meetsTarget) {
-      val slow = report.shortfalls ++ report.icetimeMHz.filter(_ < top.targetMHz.toDouble).map(mhz => s"icetime $mhz MHz")
-      Console.err.println(s"error: ${top.name} misses its target of ${top.targetMHz} MHz: ${slow.mkString("; ")}")
-    } else println(f"${top.name}: fits, ${report.coreMHz.min}%.2f MHz at the least of ${report.placements.length} seeds")
+      val slow = report.shortfalls ++ report.icetimeMHz.filter(_ < top.targetMHz.toDouble).map(mhz =>
+        s"icetime $mhz MHz"
+      )
+      Console.err.println(
+        s"error: ${top.name} misses its target of ${top.targetMHz} MHz: ${slow.mkString("; ")}"
+      )
+    } else println(
+      f"${top.name}: fits, ${report.coreMHz.min}%.2f MHz at the least of ${report.placements.length} seeds"
+    )
     if (report.meetsTarget) 0 else 1
   }
 }

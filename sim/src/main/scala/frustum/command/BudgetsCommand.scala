@@ -27,7 +27,9 @@ object BudgetsCommand extends CommandLine {
         .text("tightens bounds to what was measured and gives new figures one; never loosens any"),
       opt[Path]("table")(Arguments.file).valueName("FILE.json").action((v, o) => o.copy(table = v))
         .text("(default sim/budgets.json)"),
-      opt[Path]("out")(Arguments.file).valueName("DIR").action((v, o) => o.copy(out = v)).text("(default out/budgets)"),
+      opt[Path]("out")(
+        Arguments.file
+      ).valueName("DIR").action((v, o) => o.copy(out = v)).text("(default out/budgets)"),
       note("  --help                   prints this")
     )
   }
@@ -38,23 +40,27 @@ object BudgetsCommand extends CommandLine {
     val table    = BudgetTable.read(o.table)
     val progress = Progress(name, BudgetMeasures.scenes.length)
     val values   =
-      try BudgetMeasures.scenes.flatMap { scene => val v = BudgetMeasures(scene); progress.step(); v }
+      try BudgetMeasures.scenes.flatMap { scene =>
+          val v = BudgetMeasures(scene); progress.step(); v
+        }
       finally progress.close()
     val check = table.measured(values)
     val shown = if (o.update) check.updated else BudgetTable(check.rows)
     if (o.update) shown.write(o.table)
     val failures = if (o.update) check.rows.filterNot(_.met).map(_.toString) else check.failures
     write(o.out, shown.rows, failures)
-    println(s"${shown.rows.count(_.met)} of ${shown.rows.length} budgets are met; wrote ${o.out.resolve("index.html")}")
+    println(
+      s"${shown.rows.count(_.met)} of ${shown.rows.length} budgets are met; wrote ${o.out.resolve("index.html")}"
+    )
     if (o.update) println(s"wrote ${o.table}")
     failures.foreach(f => Console.err.println(s"error: budgets: $f"))
     if (failures.isEmpty) 0 else 1
   }
 
   private def write(out: Path, rows: Seq[Budget], failures: Seq[String]): Unit = {
-    def text(v: Double)                      = if (v.isInfinite) "equal" else BigDecimal(v).toString
-    def json(v: Double): ujson.Value         = if (v.isInfinite) ujson.Null else ujson.Num(v)
-    val csv = "scene,metric,bound,today,met" +: rows.map(b =>
+    def text(v: Double)              = if (v.isInfinite) "equal" else BigDecimal(v).toString
+    def json(v: Double): ujson.Value = if (v.isInfinite) ujson.Null else ujson.Num(v)
+    val csv                          = "scene,metric,bound,today,met" +: rows.map(b =>
       Seq(b.scene, b.metric, text(b.bound), text(b.today), b.met.toString).mkString(",")
     )
     val report = ujson.Obj(
@@ -65,7 +71,13 @@ object BudgetsCommand extends CommandLine {
       "met"      -> failures.isEmpty,
       "failures" -> failures,
       "budgets"  -> rows.map(b =>
-        ujson.Obj("scene" -> b.scene, "metric" -> b.metric, "bound" -> json(b.bound), "today" -> json(b.today), "met" -> b.met)
+        ujson.Obj(
+          "scene"  -> b.scene,
+          "metric" -> b.metric,
+          "bound"  -> json(b.bound),
+          "today"  -> json(b.today),
+          "met"    -> b.met
+        )
       )
     )
     val lines = rows.map { b =>

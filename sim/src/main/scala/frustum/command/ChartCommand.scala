@@ -8,14 +8,18 @@ import java.nio.file.{Files, Path, Paths}
 import java.util.Base64
 
 /** Arguments of `chart`. */
-final case class ChartOptions(family: Option[ChartFamily] = None, synthesis: Boolean = true, out: Path = Paths.get("out", "chart"))
+final case class ChartOptions(
+    family: Option[ChartFamily] = None,
+    synthesis: Boolean = true,
+    out: Path = Paths.get("out", "chart")
+)
 
 /** `chart`: error against cost, family by family. */
 object ChartCommand extends CommandLine {
   val name    = "chart"
   val summary = "charts accuracy against cost; writes the page out/chart/index.html"
 
-  private val names  = ChartFamily.all.map(_.name)
+  private val names                            = ChartFamily.all.map(_.name)
   private val parser: OParser[_, ChartOptions] = {
     val builder = OParser.builder[ChartOptions]
     import builder._
@@ -26,7 +30,9 @@ object ChartCommand extends CommandLine {
         .action((v, o) => o.copy(family = Some(v))).text(s"one of ${names.mkString(", ")} (default: all)"),
       opt[Unit]("no-synthesis").action((_, o) => o.copy(synthesis = false))
         .text("without yosys: families whose cost is cells show bits instead or are left out"),
-      opt[Path]("out")(Arguments.file).valueName("DIR").action((v, o) => o.copy(out = v)).text("(default out/chart)"),
+      opt[Path]("out")(
+        Arguments.file
+      ).valueName("DIR").action((v, o) => o.copy(out = v)).text("(default out/chart)"),
       note("  --help                   prints this")
     )
   }
@@ -48,7 +54,10 @@ object ChartCommand extends CommandLine {
       } catch { case MissingTool(message) => throw InputError(s"$message; or give --no-synthesis") }
       finally progress.close()
     OutputFile.writeText(o.out.resolve("chart.json"), ujson.write(json(charts), indent = 2) + "\n")
-    OutputFile.writeText(o.out.resolve("index.html"), Page("Frustum: accuracy against cost", charts.map(figure(o.out, _)).mkString("\n")))
+    OutputFile.writeText(
+      o.out.resolve("index.html"),
+      Page("Frustum: accuracy against cost", charts.map(figure(o.out, _)).mkString("\n"))
+    )
     println(s"wrote ${o.out.resolve("index.html")}, ${charts.length} charts")
     0
   }
@@ -69,8 +78,15 @@ object ChartCommand extends CommandLine {
         "costAxis"  -> c.costAxis,
         "errorAxis" -> c.errorAxis,
         "points"    -> c.points.map(p =>
-          ujson.Obj("method" -> p.method, "setting" -> p.setting, "cost" -> p.cost, "error" -> p.error,
-            "shipped" -> c.shipped.contains(p), "peer" -> c.peer.contains(p), "front" -> c.front.contains(p))
+          ujson.Obj(
+            "method"  -> p.method,
+            "setting" -> p.setting,
+            "cost"    -> p.cost,
+            "error"   -> p.error,
+            "shipped" -> c.shipped.contains(p),
+            "peer"    -> c.peer.contains(p),
+            "front"   -> c.front.contains(p)
+          )
         )
       )
     }

@@ -7,17 +7,19 @@ object DemoTable {
 
   /** Heading, and the figure as it is shown; "-" where the report has none. */
   val columns: Seq[(String, ujson.Obj => String)] = Seq(
-    "triangles"          -> (r => whole(r, "trianglesDrawn")),
-    "fragments"          -> (r => whole(r, "fragments")),
-    "clocks"             -> (r => whole(r, "clocksPerFrame")),
-    "clocks at pins"     -> (r => whole(r, "clocksPerFrameAtPins")),
-    "frames/s at pins"   -> (r => decimal(r, "framesPerSecondAtPins")),
-    "hardware != model"  -> (r => whole(r, "hardwareVsModel", "pixelsDifferent")),
-    "coverage wrong"     -> (r => whole(r, "modelVsReference", "coverageWrong")),
-    "texels wrong"       -> texels,
-    "order wrong"        -> (r => whole(r, "modelVsReference", "depthOrderWrong")),
-    "objects wrong"      -> rays,
-    "PSNR dB"            -> (r => if (r.obj.contains("psnr")) decimal(r, "psnr") else decimal(r, "modelVsReference", "psnr")),
+    "triangles"         -> (r => whole(r, "trianglesDrawn")),
+    "fragments"         -> (r => whole(r, "fragments")),
+    "clocks"            -> (r => whole(r, "clocksPerFrame")),
+    "clocks at pins"    -> (r => whole(r, "clocksPerFrameAtPins")),
+    "frames/s at pins"  -> (r => decimal(r, "framesPerSecondAtPins")),
+    "hardware != model" -> (r => whole(r, "hardwareVsModel", "pixelsDifferent")),
+    "coverage wrong"    -> (r => whole(r, "modelVsReference", "coverageWrong")),
+    "texels wrong"      -> texels,
+    "order wrong"       -> (r => whole(r, "modelVsReference", "depthOrderWrong")),
+    "objects wrong"     -> rays,
+    "PSNR dB"           -> (r =>
+      if (r.obj.contains("psnr")) decimal(r, "psnr") else decimal(r, "modelVsReference", "psnr")
+    ),
     "end to end PSNR dB" -> (r => decimal(r, "endToEnd", "psnr")),
     "FLIP"               -> (r => value(r, "endToEnd", "flip").fold("-")(v => format("%.4f", v.num)))
   )
@@ -45,8 +47,13 @@ object DemoTable {
   /** Everything of a ray caster that is to be exact. */
   private def rays(r: ujson.Obj) = {
     val keys = Seq(
-      "silhouettePixelsWrong", "shadowPixelsWrong", "objectPixelsWrong", "checkerCellsWrong", // pong
-      "blocksWrong", "facesWrong", "texelsWrong"                                              // voxel
+      "silhouettePixelsWrong",
+      "shadowPixelsWrong",
+      "objectPixelsWrong",
+      "checkerCellsWrong", // pong
+      "blocksWrong",
+      "facesWrong",
+      "texelsWrong" // voxel
     ).flatMap(value(r, _))
     if (keys.isEmpty) "-" else format("%,.0f", keys.map(_.num).sum)
   }

@@ -8,7 +8,18 @@ import scala.util.control.NonFatal
   */
 object Main {
   val commands: Seq[CommandLine] =
-    Seq(DemoCommand, RenderCommand, VerilogCommand, BitstreamCommand, BenchCommand, PongCommand, VoxelCommand, PlayCommand, BudgetsCommand, ChartCommand)
+    Seq(
+      DemoCommand,
+      RenderCommand,
+      VerilogCommand,
+      BitstreamCommand,
+      BenchCommand,
+      PongCommand,
+      VoxelCommand,
+      PlayCommand,
+      BudgetsCommand,
+      ChartCommand
+    )
 
   def main(args: Array[String]): Unit = sys.exit(run(args.toSeq))
 

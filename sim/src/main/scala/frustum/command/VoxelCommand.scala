@@ -13,12 +13,15 @@ object VoxelCommand extends CommandLine {
   val name    = "voxel"
   val summary = "draws a world of blocks; writes out/voxel/voxel.png and a report"
 
-  def run(args: Seq[String]): Int = Arguments.parse(name, VoxelOptions.parser, args, VoxelOptions()).fold(0)(voxel)
+  def run(args: Seq[String]): Int =
+    Arguments.parse(name, VoxelOptions.parser, args, VoxelOptions()).fold(0)(voxel)
 
   private def voxel(o: VoxelOptions): Int = {
     val scene = VoxelScenes(o)
     import scene.{config, views}
-    println(s"voxel: ${views.length} view(s) of a world of ${config.size}, ${config.width}x${config.height}, ${o.engine}")
+    println(
+      s"voxel: ${views.length} view(s) of a world of ${config.size}, ${config.width}x${config.height}, ${o.engine}"
+    )
     val drawn    = mutable.ArrayBuffer.empty[VoxelDrawn]
     val progress = Progress("voxel", views.length)
     try new VoxelRun(config, scene.assets, scene.world, o.engine, o.highlight, o.seed).draw(views) { view =>
@@ -48,7 +51,8 @@ object VoxelCommand extends CommandLine {
   /** Numbered where there are several. */
   private def fileOf(o: VoxelOptions, n: Int): Path = {
     val name     = o.out.getFileName.toString
-    val numbered = if (o.path.isEmpty || name.contains("%d")) name else name.replaceFirst("(\\.[^.]*)?$", "-%d$1")
+    val numbered =
+      if (o.path.isEmpty || name.contains("%d")) name else name.replaceFirst("(\\.[^.]*)?$", "-%d$1")
     o.out.resolveSibling(numbered.replace("%d", n.toString))
   }
 }

@@ -10,7 +10,14 @@ object VoxelDemo {
 
   /** @param engine one of [[VoxelRun.Engines]] */
   def apply(out: Path, engine: String): (ujson.Obj, Int) = {
-    val o     = VoxelOptions(engine = engine, eye = Some(new Vector3d(10, 40, 19)), yaw = -40, pitch = -15, distance = 50, seed = 2)
+    val o = VoxelOptions(
+      engine = engine,
+      eye = Some(new Vector3d(10, 40, 19)),
+      yaw = -40,
+      pitch = -15,
+      distance = 50,
+      seed = 2
+    )
     val scene = VoxelScenes(o)
     import scene.config.{height, width}
     var drawn = Option.empty[VoxelDrawn]

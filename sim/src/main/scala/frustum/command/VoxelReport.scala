@@ -44,7 +44,8 @@ object VoxelReport {
     report("psnr") = Psnr.of(drawn.map(_.squaredError).sum, c.pixels.toLong * drawn.length)
       .fold[ujson.Value](ujson.Null)(ujson.Num(_))
     if (drawn.forall(_.pixelsDifferent.isDefined))
-      report("hardwareVsModel") = ujson.Obj("pixelsDifferent" -> drawn.flatMap(_.pixelsDifferent).sum.toDouble)
+      report("hardwareVsModel") =
+        ujson.Obj("pixelsDifferent" -> drawn.flatMap(_.pixelsDifferent).sum.toDouble)
     report
   }
 

@@ -7,7 +7,12 @@ import frustum.spec.{Blocks, VoxelAssets, VoxelConfig, WorldSize}
 import org.joml.Vector3d
 
 /** What the arguments of `voxel` ask for. */
-final case class VoxelScene(config: VoxelConfig, assets: VoxelAssets, world: VoxelWorld, views: Seq[VoxelView])
+final case class VoxelScene(
+    config: VoxelConfig,
+    assets: VoxelAssets,
+    world: VoxelWorld,
+    views: Seq[VoxelView]
+)
 
 object VoxelScenes {
   def apply(o: VoxelOptions): VoxelScene = {
@@ -17,9 +22,11 @@ object VoxelScenes {
     val assets = o.blocks.fold(Blocks.assets)(BlockFile.read)
     val world  = o.world match {
       case Some(file) if file.toString.toLowerCase.endsWith(".vox") => VoxFile.read(file, size, assets)
-      case Some(file) => VoxelWorld.readRaw(file, size, assets.table.blocks.length)
+      case Some(file)                 => VoxelWorld.readRaw(file, size, assets.table.blocks.length)
       case None if o.blocks.isDefined =>
-        throw InputError("--blocks without --world: the hills are built of the workbench's own blocks; give a --world")
+        throw InputError(
+          "--blocks without --world: the hills are built of the workbench's own blocks; give a --world"
+        )
       case None => Hills(size, o.seed)
     }
     val config =
@@ -30,7 +37,10 @@ object VoxelScenes {
           VoxelOptions.leaps.toMap.apply(o.leaps),
           o.distance
         )
-      catch { case e: IllegalArgumentException => throw InputError(s"--size: ${e.getMessage.stripPrefix("requirement failed: ")}") }
+      catch {
+        case e: IllegalArgumentException =>
+          throw InputError(s"--size: ${e.getMessage.stripPrefix("requirement failed: ")}")
+      }
     val focal = o.focal.getOrElse(225.0 * config.height / 240)
     val views = o.path match {
       case Some(file) => poses(file.toString, InputFile.text(file, "give a text file in UTF-8"), focal)
@@ -54,8 +64,10 @@ object VoxelScenes {
   private def poses(file: String, text: String, focal: Double): Seq[VoxelView] = {
     val views = for ((line, i) <- text.linesIterator.toSeq.zipWithIndex if line.trim.nonEmpty) yield {
       line.trim.split("\\s+").map(_.toDoubleOption.filter(_.isFinite)) match {
-        case Array(Some(x), Some(y), Some(z), Some(yaw), Some(pitch)) => VoxelView(new Vector3d(x, y, z), yaw, pitch, focal)
-        case _ => throw InputError(s"$file:${i + 1}: '${line.trim}' is no pose; write five numbers x y z yaw pitch")
+        case Array(Some(x), Some(y), Some(z), Some(yaw), Some(pitch)) =>
+          VoxelView(new Vector3d(x, y, z), yaw, pitch, focal)
+        case _ =>
+          throw InputError(s"$file:${i + 1}: '${line.trim}' is no pose; write five numbers x y z yaw pitch")
       }
     }
     if (views.isEmpty) throw InputError(s"$file: has no pose; write lines of x y z yaw pitch")

@@ -8,8 +8,14 @@ import spinal.core._
 import spinal.core.sim._
 
 /** The console with a monitor at its plug. */
-case class VoxelConsoleTestbed(c: VoxelConfig, assets: VoxelAssets, mode: VideoMode, camera: VoxelCamera, baud: Int) extends Component {
-  val io      = new Bundle {
+case class VoxelConsoleTestbed(
+    c: VoxelConfig,
+    assets: VoxelAssets,
+    mode: VideoMode,
+    camera: VoxelCamera,
+    baud: Int
+) extends Component {
+  val io = new Bundle {
     val uart    = in Bool ()
     val refused = out UInt (8 bits)
   }

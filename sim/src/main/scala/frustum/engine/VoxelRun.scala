@@ -27,7 +27,14 @@ final case class VoxelDrawn(
   *
   * @param highlight the face in the middle of the screen
   */
-final class VoxelRun(config: VoxelConfig, assets: VoxelAssets, world: VoxelWorld, engine: String, highlight: Boolean, seed: Long) {
+final class VoxelRun(
+    config: VoxelConfig,
+    assets: VoxelAssets,
+    world: VoxelWorld,
+    engine: String,
+    highlight: Boolean,
+    seed: Long
+) {
   private lazy val model = new VoxelModel(config, assets, world)
   private lazy val judge = new VoxelJudge(model)
 
@@ -45,9 +52,10 @@ final class VoxelRun(config: VoxelConfig, assets: VoxelAssets, world: VoxelWorld
     val ideal = new IdealVoxelPicture(config, assets, world, view).picture()
     if (engine == "reference") VoxelDrawn(ideal, ideal, None, None, None)
     else {
-      val camera  = view.camera(config)
-      val chosen  = if (highlight) model.pointedAt(camera, VoxelRun.Reach) else None
-      val pixels  = for (j <- 0 until config.height; i <- 0 until config.width) yield model.pixel(camera, i, j, chosen)
+      val camera = view.camera(config)
+      val chosen = if (highlight) model.pointedAt(camera, VoxelRun.Reach) else None
+      val pixels =
+        for (j <- 0 until config.height; i <- 0 until config.width) yield model.pixel(camera, i, j, chosen)
       val colors  = pixels.map(_.color).toArray
       val frame   = session.map(_.frame(camera, highlight))
       val differs = frame.map(f => colors.indices.count(i => colors(i) != f.picture(i)).toLong)

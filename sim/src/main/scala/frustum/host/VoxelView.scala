@@ -18,14 +18,18 @@ final case class VoxelView(eye: Vector3d, yaw: Double, pitch: Double, focal: Dou
 
   /** Direction of pixel (i, j), j downwards. */
   def direction(i: Int, j: Int, c: VoxelConfig): Vector3d =
-    new Vector3d(look).fma((i + 0.5 - c.width / 2.0) / focal, right).fma((c.height / 2.0 - j - 0.5) / focal, up)
+    new Vector3d(look).fma(
+      (i + 0.5 - c.width / 2.0) / focal,
+      right
+    ).fma((c.height / 2.0 - j - 0.5) / focal, up)
 
   /** Rounded to what the hardware takes; a view that it does not take is refused. */
   def camera(c: VoxelConfig): VoxelCamera = {
     val axes = Seq(("x", eye.x, c.size.x), ("y", eye.y, c.size.y), ("z", eye.z, c.size.z))
-    for ((axis, e, size) <- axes) if (!(e >= -VoxelConfig.Around && e <= size + VoxelConfig.Around)) throw InputError(
-      s"--eye: $axis $e is more than ${VoxelConfig.Around} blocks away from the world of ${c.size}; move it nearer"
-    )
+    for ((axis, e, size) <- axes) if (!(e >= -VoxelConfig.Around && e <= size + VoxelConfig.Around))
+      throw InputError(
+        s"--eye: $axis $e is more than ${VoxelConfig.Around} blocks away from the world of ${c.size}; move it nearer"
+      )
     val corners = for (i <- Seq(0, c.width); j <- Seq(0, c.height)) yield direction(i, j, c)
     if (corners.exists(d => d.x.abs.max(d.y.abs).max(d.z.abs) >= 1.999)) throw InputError(
       s"--focal $focal at ${c.width}x${c.height}: the view is too wide, a ray's component reaches 2; enlarge --focal"
@@ -50,6 +54,9 @@ object VoxelView {
   /** Yaw and pitch of a direction; straight up and down has yaw 0. */
   def angles(look: Vector3d): (Double, Double) = {
     val flat = scala.math.hypot(look.x, look.y)
-    (if (flat == 0) 0 else scala.math.atan2(look.y, look.x).toDegrees, scala.math.atan2(look.z, flat).toDegrees)
+    (
+      if (flat == 0) 0 else scala.math.atan2(look.y, look.x).toDegrees,
+      scala.math.atan2(look.z, flat).toDegrees
+    )
   }
 }

@@ -49,10 +49,11 @@ final class VoxelJudge(model: VoxelModel) {
     val direction  = VoxelJudge.direction(pixel.ray, config.slopeBits)
     val (exact, _) =
       new ExactMarch(config, assets.table, world, camera.eye.axes, direction, pixel.ray.mirrored).march()
-    def differs(same: (Int, Int) => Boolean) = exact.length != pixel.seen.length || !exact.indices.forall(i => same(i, i))
-    val block = differs((i, k) => exact(i).sameBlock(pixel.seen(k)))
-    val face  = !block && differs((i, k) => exact(i).sameFace(pixel.seen(k)))
-    val texel = !block && !face && differs((i, k) => exact(i) == pixel.seen(k))
+    def differs(same: (Int, Int) => Boolean) =
+      exact.length != pixel.seen.length || !exact.indices.forall(i => same(i, i))
+    val block           = differs((i, k) => exact(i).sameBlock(pixel.seen(k)))
+    val face            = !block && differs((i, k) => exact(i).sameFace(pixel.seen(k)))
+    val texel           = !block && !face && differs((i, k) => exact(i) == pixel.seen(k))
     def one(b: Boolean) = if (b) 1L else 0L
     VoxelCounts(1, pixel.steps, plain.march(pixel.ray)(_ => ()), one(block), one(face), one(texel))
   }

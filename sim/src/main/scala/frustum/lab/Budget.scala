@@ -6,7 +6,7 @@ package frustum.lab
   * @param bound,today infinite where a picture equals its reference
   */
 final case class Budget(scene: String, metric: String, bound: Double, today: Double) {
-  private val higherIsBetter            = metric.endsWith("psnr")
+  private val higherIsBetter              = metric.endsWith("psnr")
   private def worse(a: Double, b: Double) = if (higherIsBetter) a < b else a > b
 
   def met: Boolean = !worse(today, bound)
@@ -34,6 +34,9 @@ object Budget {
   private def rounded(value: Double, up: Boolean): Double =
     if (value.isInfinite || value == scala.math.rint(value)) value
     else BigDecimal(value)
-      .round(new java.math.MathContext(5, if (up) java.math.RoundingMode.CEILING else java.math.RoundingMode.FLOOR))
+      .round(new java.math.MathContext(
+        5,
+        if (up) java.math.RoundingMode.CEILING else java.math.RoundingMode.FLOOR
+      ))
       .toDouble
 }

@@ -24,7 +24,13 @@ object BudgetMeasures {
 
   private val rasterMetrics = Seq(
     "modelVsReference" -> Seq(
-      "coverageWrong", "texelsWrong", "texelsWrongByMoreThanOne", "maxTexelError", "primitiveWrong", "depthOrderWrong", "psnr"
+      "coverageWrong",
+      "texelsWrong",
+      "texelsWrongByMoreThanOne",
+      "maxTexelError",
+      "primitiveWrong",
+      "depthOrderWrong",
+      "psnr"
     ),
     "endToEnd" -> Seq("coverageWrong", "texelsWrong", "psnr", "flip")
   )
@@ -33,8 +39,17 @@ object BudgetMeasures {
     val scene   = Scenes.byName(name)
     val options = DrawOptions(None, cullBack = false, Wrap.Repeat, scene.background)
     val run     =
-      SceneRun(scene, scene.camera, options, RasterConfig(), 1, 0, Engines.byName("model"), EngineOptions(1, None))
-    val report  = RenderReport.json("budgets", 1, run.figures((_, _) => ()))
+      SceneRun(
+        scene,
+        scene.camera,
+        options,
+        RasterConfig(),
+        1,
+        0,
+        Engines.byName("model"),
+        EngineOptions(1, None)
+      )
+    val report = RenderReport.json("budgets", 1, run.figures((_, _) => ()))
     for ((group, metrics) <- rasterMetrics; metric <- metrics)
       yield Measured(name, s"$group.$metric", number(report(group)(metric)))
   }
@@ -43,7 +58,14 @@ object BudgetMeasures {
     val o     = VoxelOptions(size = (160, 120), engine = "model")
     val scene = VoxelScenes(o)
     var drawn = Seq.empty[VoxelDrawn]
-    new VoxelRun(scene.config, scene.assets, scene.world, o.engine, highlight = false, o.seed).draw(scene.views)(drawn :+= _)
+    new VoxelRun(
+      scene.config,
+      scene.assets,
+      scene.world,
+      o.engine,
+      highlight = false,
+      o.seed
+    ).draw(scene.views)(drawn :+= _)
     val report = VoxelReport.json("budgets", o.seed, o.engine, scene.config, drawn)
     Seq("blocksWrong", "facesWrong", "texelsWrong", "maxDirectionErrorPixels", "steps", "psnr")
       .map(metric => Measured("voxel", metric, number(report(metric))))
@@ -54,8 +76,10 @@ object BudgetMeasures {
     val config  = PongScenes.config(VideoMode.Vga640x480, None)
     val picture = new RayPicture(config.scene, config.mode.width, config.mode.height)
     val judge   = new RayJudge(config.scene, config.mode.width, config.mode.height)
-    val states  = Iterator.iterate(PongGame.start)(g => g.tick(AutoPlayer(g))).grouped(PongTicks).map(_.head).take(PongStates)
-    val sum     = states.map { game =>
+    val states  = Iterator.iterate(
+      PongGame.start
+    )(g => g.tick(AutoPlayer(g))).grouped(PongTicks).map(_.head).take(PongStates)
+    val sum = states.map { game =>
       val pixels = picture(game.motion)
       judge(game.motion, pixels.map(_.objectId), pixels.map(_.rgb))
     }.foldLeft(RayCounts.none)(_ + _)

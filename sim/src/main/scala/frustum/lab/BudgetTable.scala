@@ -23,7 +23,9 @@ final case class BudgetTable(rows: Seq[Budget]) {
   def write(file: Path): Unit = {
     val scenes = rows.map(_.scene).distinct.map { scene =>
       val own = rows.filter(_.scene == scene)
-      scene -> ujson.Obj.from(own.map(b => b.metric -> ujson.Obj("bound" -> json(b.bound), "today" -> json(b.today))))
+      scene -> ujson.Obj.from(own.map(b =>
+        b.metric -> ujson.Obj("bound" -> json(b.bound), "today" -> json(b.today))
+      ))
     }
     OutputFile.writeText(file, ujson.write(ujson.Obj.from(scenes), indent = 2) + "\n")
   }
@@ -35,14 +37,16 @@ object BudgetTable {
     def number(v: ujson.Value) = if (v.isNull) Double.PositiveInfinity else v.num
     try BudgetTable(
         for {
-          (scene, metrics) <- ujson.read(InputFile.text(file, "give the table of the tree")).obj.toSeq
+          (scene, metrics)  <- ujson.read(InputFile.text(file, "give the table of the tree")).obj.toSeq
           (metric, figures) <- metrics.obj.toSeq
         } yield Budget(scene, metric, number(figures("bound")), number(figures("today")))
       )
     catch {
       case e: InputError => throw e
       case NonFatal(e)   =>
-        throw InputError(s"$file: is no table of budgets (${e.getMessage.linesIterator.next()}); restore it from the repository")
+        throw InputError(
+          s"$file: is no table of budgets (${e.getMessage.linesIterator.next()}); restore it from the repository"
+        )
     }
   }
 }
@@ -61,5 +65,7 @@ final case class BudgetCheck(rows: Seq[Budget], unbounded: Seq[Measured], unmeas
 
   /** Bounds only ever become tighter; new figures get theirs. What is worse than its bound stays so. */
   def updated: BudgetTable =
-    BudgetTable(rows.map(_.tightened) ++ unbounded.map(m => Budget.first(m.scene, m.metric, m.value)) ++ unmeasured)
+    BudgetTable(rows.map(_.tightened) ++ unbounded.map(m =>
+      Budget.first(m.scene, m.metric, m.value)
+    ) ++ unmeasured)
 }

@@ -41,8 +41,15 @@ final case class Chart(
 
   def csv: String = {
     val rows = points.map { p =>
-      val marks = Seq(shipped.contains(p) -> "shipped", peer.contains(p) -> "peer", front.contains(p) -> "front")
-      Seq(p.method, p.setting, p.cost.toString, p.error.toString, marks.filter(_._1).map(_._2).mkString(" ")).mkString(",")
+      val marks =
+        Seq(shipped.contains(p) -> "shipped", peer.contains(p) -> "peer", front.contains(p) -> "front")
+      Seq(
+        p.method,
+        p.setting,
+        p.cost.toString,
+        p.error.toString,
+        marks.filter(_._1).map(_._2).mkString(" ")
+      ).mkString(",")
     }
     (s"method,setting,$costAxis,$errorAxis,marks" +: rows).mkString("", "\n", "\n")
   }
@@ -57,13 +64,23 @@ final case class Chart(
 
   private def picture: XYChart = {
     val chart =
-      new XYChartBuilder().width(960).height(600).title(title).xAxisTitle(costAxis).yAxisTitle(errorAxis).build()
+      new XYChartBuilder().width(
+        960
+      ).height(600).title(title).xAxisTitle(costAxis).yAxisTitle(errorAxis).build()
     chart.getStyler.setYAxisLogarithmic(true).setXAxisLogarithmic(logCost)
     def add(name: String, shown: Seq[ChartPoint]) =
       chart.addSeries(name, shown.map(_.cost).toArray, shown.map(_.error.max(floor)).toArray)
-    for (method <- points.map(_.method).distinct) add(method, points.filter(_.method == method).sortBy(_.cost))
-    add("Pareto front", front).setMarker(SeriesMarkers.NONE).setLineWidth(6).setLineColor(new java.awt.Color(0, 0, 0, 40))
-    for ((what, point, marker) <- Seq(("shipped", shipped, SeriesMarkers.DIAMOND), ("the peers'", peer, SeriesMarkers.CROSS)); p <- point) {
+    for (method <- points.map(_.method).distinct)
+      add(method, points.filter(_.method == method).sortBy(_.cost))
+    add(
+      "Pareto front",
+      front
+    ).setMarker(SeriesMarkers.NONE).setLineWidth(6).setLineColor(new java.awt.Color(0, 0, 0, 40))
+    for (
+      (what, point, marker) <-
+        Seq(("shipped", shipped, SeriesMarkers.DIAMOND), ("the peers'", peer, SeriesMarkers.CROSS));
+      p <- point
+    ) {
       val series = add(what, Seq(p))
       series.setMarker(marker).setMarkerColor(java.awt.Color.RED)
       series.setXYSeriesRenderStyle(XYSeriesRenderStyle.Scatter)

@@ -17,9 +17,13 @@ object DepthFamily extends ChartFamily {
     floor(value / pow(2, exponent) * pow(2, bits - 5)) * pow(2, exponent)
   }
   private val encodings: Seq[(String, (Double, Double, Int) => Double)] = Seq(
-    "z of OpenGL, linear on the screen" -> ((w, far, bits) => fixed((1 / near - 1 / w) / (1 / near - 1 / far), bits)),
-    "w, linear in space"                -> ((w, far, bits) => fixed((w - near) / (far - near), bits)),
-    "reversed float, 5 bits of exponent" -> ((w, far, bits) => float((1 / w - 1 / far) / (1 / near - 1 / far), bits))
+    "z of OpenGL, linear on the screen" -> ((w, far, bits) =>
+      fixed((1 / near - 1 / w) / (1 / near - 1 / far), bits)
+    ),
+    "w, linear in space"                 -> ((w, far, bits) => fixed((w - near) / (far - near), bits)),
+    "reversed float, 5 bits of exponent" -> ((w, far, bits) =>
+      float((1 / w - 1 / far) / (1 / near - 1 / far), bits)
+    )
   )
 
   /** The least relative gap that is always seen, by bisection, at the worst of depths spread evenly by their logarithm. */
@@ -47,12 +51,32 @@ object DepthFamily extends ChartFamily {
       val far = pow(10, decade / 2.0)
       ChartPoint(method, f"far ${log10(far)}%.1f decades", far, gap(encode, far, 16))
     }
-    def ours(points: Seq[ChartPoint], cost: Double) = points.find(p => p.method == encodings.head._1 && p.cost == cost)
+    def ours(points: Seq[ChartPoint], cost: Double) =
+      points.find(p => p.method == encodings.head._1 && p.cost == cost)
     Seq(
-      Chart("depth-bits", "Depth formats, far plane at 100 times the near one", "bits", "least relative gap told apart", bits,
-        ours(bits, 16), ours(bits, 16), 1e-9, "Ours and the peers' are both 16 bits of OpenGL's z."),
-      Chart("depth-range", "Depth formats of 16 bits", "far / near", "least relative gap told apart", ratio,
-        ours(ratio, 100), None, 1e-9, "z of OpenGL wastes nearly all of its codes near the eye when the range is long.", logCost = true)
+      Chart(
+        "depth-bits",
+        "Depth formats, far plane at 100 times the near one",
+        "bits",
+        "least relative gap told apart",
+        bits,
+        ours(bits, 16),
+        ours(bits, 16),
+        1e-9,
+        "Ours and the peers' are both 16 bits of OpenGL's z."
+      ),
+      Chart(
+        "depth-range",
+        "Depth formats of 16 bits",
+        "far / near",
+        "least relative gap told apart",
+        ratio,
+        ours(ratio, 100),
+        None,
+        1e-9,
+        "z of OpenGL wastes nearly all of its codes near the eye when the range is long.",
+        logCost = true
+      )
     )
   }
 }

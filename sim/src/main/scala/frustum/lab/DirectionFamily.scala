@@ -17,7 +17,12 @@ object DirectionFamily extends ChartFamily {
   private val bits  = 12 to 15
   private val views = {
     val random = new Random(1)
-    Seq.fill(24)(VoxelView(new Vector3d(32, 32, 16), random.nextDouble() * 360, random.nextDouble() * 180 - 90, 225))
+    Seq.fill(24)(VoxelView(
+      new Vector3d(32, 32, 16),
+      random.nextDouble() * 360,
+      random.nextDouble() * 180 - 90,
+      225
+    ))
   }
 
   /** Greatest error in pixels. */
@@ -37,12 +42,16 @@ object DirectionFamily extends ChartFamily {
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
     val cost: Int => Double = costs match {
       case Some(c) => n => {
-          val unit = c(s"ray set-up with slopes of $n bits")(frustum.voxel.RaySetup(VoxelConfig(slopeBits = n), Tech.Ice40))
+          val unit = c(s"ray set-up with slopes of $n bits")(frustum.voxel.RaySetup(
+            VoxelConfig(slopeBits = n),
+            Tech.Ice40
+          ))
           (unit.luts + unit.flipFlops).toDouble
         }
       case None => _.toDouble
     }
-    val points = for (n <- bits) yield ChartPoint("reciprocal by table and line", s"$n bits", cost(n), error(n))
+    val points =
+      for (n <- bits) yield ChartPoint("reciprocal by table and line", s"$n bits", cost(n), error(n))
     Seq(Chart(
       "directions",
       "Directions of the voxel world's rays, 320 x 240, focal length 225",

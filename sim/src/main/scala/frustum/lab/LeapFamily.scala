@@ -10,8 +10,9 @@ import org.joml.Vector3d
 object LeapFamily extends ChartFamily {
   val name = "leaps"
 
-  private val groups = Seq("one for all directions" -> 0, "up and down" -> 4, "up and down, +x and -x" -> 5, "each octant" -> 7)
-  private val base   = VoxelConfig(width = 64, height = 48)
+  private val groups =
+    Seq("one for all directions" -> 0, "up and down" -> 4, "up and down, +x and -x" -> 5, "each octant" -> 7)
+  private val base = VoxelConfig(width = 64, height = 48)
 
   private lazy val worlds = (1 to 3).map(Hills(base.size, _))
 
@@ -21,8 +22,8 @@ object LeapFamily extends ChartFamily {
     val counts = for {
       world <- worlds
       march = new Marcher(c, Blocks.table, LeapWords(world, field))
-      yaw   <- 0 until 360 by 45
-      x = 20 + yaw % 24
+      yaw <- 0 until 360 by 45
+      x      = 20 + yaw % 24
       ground = (world.size.z - 1 to 0 by -1).find(z => world(x, 32, z) != 0).getOrElse(0)
       camera = VoxelView(new Vector3d(x + 0.4, 32.6, ground + 2.6), yaw + 10, -8, 45).camera(c)
       j <- 0 until c.height
@@ -33,10 +34,11 @@ object LeapFamily extends ChartFamily {
 
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
     val plain  = ChartPoint("a block a step", "0 bits", LeapField(0, 0).wordBits, steps(LeapField(0, 0)))
-    val points = for ((method, mask) <- groups; bits <- 1 to 4 if bits << Integer.bitCount(mask) <= 24) yield {
-      val field = LeapField(mask, bits)
-      field -> ChartPoint(method, s"to ${field.most}", field.wordBits, steps(field))
-    }
+    val points =
+      for ((method, mask) <- groups; bits <- 1 to 4 if bits << Integer.bitCount(mask) <= 24) yield {
+        val field = LeapField(mask, bits)
+        field -> ChartPoint(method, s"to ${field.most}", field.wordBits, steps(field))
+      }
     Seq(Chart(
       "leaps",
       "Leaps over air, hills of three seeds, a walker's views",

@@ -10,7 +10,7 @@ import scala.math.{floor, log, round}
 object ReciprocalFamily extends ChartFamily {
   val name = "perspective"
 
-  private val Fractions = 1 << 20
+  private val Fractions                      = 1 << 20
   private def word(value: Double, bits: Int) = round(value * (1L << bits)) / (1L << bits).toDouble
 
   /** Greatest |approximation (1 + f) - 1|. */
@@ -28,14 +28,19 @@ object ReciprocalFamily extends ChartFamily {
   }
 
   private def linear(bits: Int): (Int, Double => Double) = {
-    val size   = 1 << bits
-    val wide   = 2 * bits + 5
-    val bases  = Array.tabulate(size) { i =>
+    val size  = 1 << bits
+    val wide  = 2 * bits + 5
+    val bases = Array.tabulate(size) { i =>
       val (a, b, m) = (1 / (1 + i.toDouble / size), 1 / (1 + (i + 1.0) / size), 1 / (1 + (i + 0.5) / size))
       word(a + (m - (a + b) / 2) / 2, wide) // half of the line's own error
     }
-    val slopes = Array.tabulate(size)(i => word(size * (1 / (1 + (i + 1.0) / size) - 1 / (1 + i.toDouble / size)), bits + 5))
-    (size * (wide + bits + 5), f => { val i = (f * size).toInt; word(bases(i) + slopes(i) * (f - i.toDouble / size), wide) })
+    val slopes = Array.tabulate(size)(i =>
+      word(size * (1 / (1 + (i + 1.0) / size) - 1 / (1 + i.toDouble / size)), bits + 5)
+    )
+    (
+      size * (wide + bits + 5),
+      f => { val i = (f * size).toInt; word(bases(i) + slopes(i) * (f - i.toDouble / size), wide) }
+    )
   }
 
   /** r (2 - d r): the error squares. */
@@ -49,8 +54,9 @@ object ReciprocalFamily extends ChartFamily {
 
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
     val points = for {
-      (method, make) <- Seq("table" -> table _, "table and line" -> linear _, "table and Newton step" -> newton _)
-      bits           <- 3 to 11
+      (method, make) <-
+        Seq("table" -> table _, "table and line" -> linear _, "table and Newton step" -> newton _)
+      bits <- 3 to 11
     } yield {
       val (memory, approximation) = make(bits)
       ChartPoint(method, s"2^$bits entries", memory / 1024.0, error(approximation))

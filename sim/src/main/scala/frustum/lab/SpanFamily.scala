@@ -8,8 +8,8 @@ package frustum.lab
 object SpanFamily extends ChartFamily {
   val name = "spans"
 
-  private val Texels = 64 * 8 // across the floor's 8 repeats
-  private val Length = 256    // pixels from the near end of the floor to the far one
+  private val Texels      = 64 * 8 // across the floor's 8 repeats
+  private val Length      = 256    // pixels from the near end of the floor to the far one
   private val (near, far) = (1.0, 100.0)
 
   /** Texel at pixel x: the floor's depth has a linear reciprocal. */
@@ -28,8 +28,9 @@ object SpanFamily extends ChartFamily {
   }).max
 
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
-    val spans = for (span <- Seq(2, 4, 8, 16, 32, 64)) yield ChartPoint("affine spans", s"$span pixels", 1.0 / span, error(span))
-    val each  = ChartPoint("a division for each pixel", "1 pixel", 1, 0)
+    val spans = for (span <- Seq(2, 4, 8, 16, 32, 64))
+      yield ChartPoint("affine spans", s"$span pixels", 1.0 / span, error(span))
+    val each = ChartPoint("a division for each pixel", "1 pixel", 1, 0)
     Seq(Chart(
       "spans",
       "Affine spans on a grazing floor, 512 texels from depth 1 to 100",

@@ -18,13 +18,14 @@ object SubpixelFamily extends ChartFamily {
     val step             = Unit >> bits
     var (wrong, covered) = (0L, 0L)
     for (_ <- 0 until Triangles) {
-      def coordinates()      = IndexedSeq.fill(3)((random.nextDouble() * 14 * Unit).round)
-      val (xs, ys)           = (coordinates(), coordinates())
-      def snap(v: Long)      = (v + step / 2) / step * step
-      val clockwise          = (xs(1) - xs(0)) * (ys(2) - ys(0)) - (ys(1) - ys(0)) * (xs(2) - xs(0)) > 0
-      val order              = if (clockwise) Seq(0, 1, 2) else Seq(0, 2, 1)
-      def of(v: Long => Long) = new ExactCoverage(order.map(i => v(xs(i))).toIndexedSeq, order.map(i => v(ys(i))).toIndexedSeq, Unit)
-      val (exact, snapped)   = (of(identity), of(snap))
+      def coordinates()       = IndexedSeq.fill(3)((random.nextDouble() * 14 * Unit).round)
+      val (xs, ys)            = (coordinates(), coordinates())
+      def snap(v: Long)       = (v + step / 2) / step * step
+      val clockwise           = (xs(1) - xs(0)) * (ys(2) - ys(0)) - (ys(1) - ys(0)) * (xs(2) - xs(0)) > 0
+      val order               = if (clockwise) Seq(0, 1, 2) else Seq(0, 2, 1)
+      def of(v: Long => Long) =
+        new ExactCoverage(order.map(i => v(xs(i))).toIndexedSeq, order.map(i => v(ys(i))).toIndexedSeq, Unit)
+      val (exact, snapped) = (of(identity), of(snap))
       for (y <- 0 to 14; x <- 0 to 14) {
         if (exact.contains(x, y)) covered += 1
         if (exact.contains(x, y) != snapped.contains(x, y)) wrong += 1
@@ -34,7 +35,8 @@ object SubpixelFamily extends ChartFamily {
   }
 
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
-    val points = for (bits <- 0 to 8) yield ChartPoint("snapped vertices", s"$bits bits", bits, wrongPercent(bits, 1))
+    val points =
+      for (bits <- 0 to 8) yield ChartPoint("snapped vertices", s"$bits bits", bits, wrongPercent(bits, 1))
     Seq(Chart(
       "subpixel",
       "Coverage against sub-pixel bits, triangles of some 8 pixels",

@@ -37,8 +37,9 @@ final class UnitCosts(say: String => Unit) {
     if (!Files.exists(kept)) {
       say(s"synthesising $name")
       Yosys.synthesise(tools.yosys, work, "unit", "synth_ice40 -abc9 -no-rw-check -top unit")
-      val cells = ujson.read(Files.readString(work.resolve("unit.netlist.json")))("modules")("unit")("cells").obj.values
-        .map(_("type").str).groupBy(identity).view.mapValues(_.size).toMap
+      val cells =
+        ujson.read(Files.readString(work.resolve("unit.netlist.json")))("modules")("unit")("cells").obj.values
+          .map(_("type").str).groupBy(identity).view.mapValues(_.size).toMap
       def count(of: String => Boolean) = cells.collect { case (kind, n) if of(kind) => n }.sum
       OutputFile.writeText(
         kept,
@@ -51,7 +52,7 @@ final class UnitCosts(say: String => Unit) {
         ))
       )
     }
-    val figures = ujson.read(Files.readString(kept))
+    val figures         = ujson.read(Files.readString(kept))
     def of(key: String) = figures(key).num.toInt
     UnitCost(of("luts"), of("flipFlops"), of("multipliers"), of("blockRams"))
   }

@@ -21,7 +21,8 @@ object BlockFile {
       try ujson.read(InputFile.text(file, "give a JSON file in UTF-8"))
       catch {
         case e: InputError => throw e
-        case NonFatal(e)   => refuse(s"is not JSON: ${e.getMessage.linesIterator.next()}; write a list of blocks [{...}]")
+        case NonFatal(e)   =>
+          refuse(s"is not JSON: ${e.getMessage.linesIterator.next()}; write a list of blocks [{...}]")
       }
     val textures = mutable.LinkedHashMap.empty[String, (IndexedSeq[Int], IndexedSeq[Int])]
 
@@ -31,12 +32,15 @@ object BlockFile {
         case o: ujson.Obj => o.value
         case _            => refuse(s"$where: is no object; write {\"name\": ...}")
       }
-      fields.keys.find(!Keys.contains(_)).foreach(k => refuse(s"$where: there is no key '$k'; known are ${Keys.mkString(", ")}"))
-      def text(key: String)                   = fields.get(key).map(_.strOpt.getOrElse(refuse(s"$where: $key is no string")))
+      fields.keys.find(!Keys.contains(_)).foreach(k =>
+        refuse(s"$where: there is no key '$k'; known are ${Keys.mkString(", ")}")
+      )
+      def text(key: String) = fields.get(key).map(_.strOpt.getOrElse(refuse(s"$where: $key is no string")))
       def flag(key: String, default: Boolean) =
         fields.get(key).fold(default)(_.boolOpt.getOrElse(refuse(s"$where: $key is neither true nor false")))
       def texture(key: String) = {
-        val name = text(key).orElse(text("texture")).getOrElse(refuse(s"$where: has neither $key nor texture"))
+        val name =
+          text(key).orElse(text("texture")).getOrElse(refuse(s"$where: has neither $key nor texture"))
         textures.getOrElseUpdate(name, load(name, where))
         textures.keys.toSeq.indexOf(name)
       }
@@ -53,18 +57,27 @@ object BlockFile {
     def load(name: String, where: String): (IndexedSeq[Int], IndexedSeq[Int]) =
       if (name.toLowerCase.endsWith(".png")) picture(file.resolveSibling(name), where)
       else BlockArt.names.indexOf(name) match {
-        case -1 => refuse(s"$where: there is no texture '$name'; give a PNG file or one of ${BlockArt.names.mkString(", ")}")
-        case i  => (BlockArt.textures.indices(i), BlockArt.textures.palettes(i))
+        case -1 => refuse(
+            s"$where: there is no texture '$name'; give a PNG file or one of ${BlockArt.names.mkString(", ")}"
+          )
+        case i => (BlockArt.textures.indices(i), BlockArt.textures.palettes(i))
       }
 
     def picture(png: Path, where: String): (IndexedSeq[Int], IndexedSeq[Int]) = {
       if (!Files.isRegularFile(png)) refuse(s"$where: $png: there is no such picture; check the name")
       val image =
-        try Option(ImageIO.read(png.toFile)).getOrElse(refuse(s"$where: $png: is not a picture in a known format; save it as PNG"))
-        catch { case e: java.io.IOException => refuse(s"$where: $png: is damaged (${e.getMessage}); save it again as PNG") }
-      val side  = VoxelTextures.Side
+        try Option(
+            ImageIO.read(png.toFile)
+          ).getOrElse(refuse(s"$where: $png: is not a picture in a known format; save it as PNG"))
+        catch {
+          case e: java.io.IOException =>
+            refuse(s"$where: $png: is damaged (${e.getMessage}); save it again as PNG")
+        }
+      val side = VoxelTextures.Side
       if (image.getWidth != side || image.getHeight != side)
-        refuse(s"$where: $png: is ${image.getWidth} x ${image.getHeight}; a texture is $side x $side: scale it")
+        refuse(
+          s"$where: $png: is ${image.getWidth} x ${image.getHeight}; a texture is $side x $side: scale it"
+        )
       val texels = for (v <- 0 until side; u <- 0 until side) yield {
         val argb          = image.getRGB(u, v)
         def four(at: Int) = ((argb >> at & 255) * 15 + 127) / 255
@@ -72,7 +85,9 @@ object BlockFile {
       }
       val palette = texels.distinct
       if (palette.length > VoxelTextures.Colors)
-        refuse(s"$where: $png: has ${palette.length} colours at four bits a channel; reduce them to ${VoxelTextures.Colors}")
+        refuse(
+          s"$where: $png: has ${palette.length} colours at four bits a channel; reduce them to ${VoxelTextures.Colors}"
+        )
       (texels.map(palette.indexOf(_)), palette.padTo(VoxelTextures.Colors, 0))
     }
 
@@ -81,8 +96,12 @@ object BlockFile {
       case _               => refuse("is no list; write [{...}, ...]")
     }
     if (blocks.length > BlockTable.Most) refuse(s"has ${blocks.length} blocks; at most ${BlockTable.Most}")
-    if (textures.size > VoxelTextures.Most) refuse(s"names ${textures.size} textures; at most ${VoxelTextures.Most}")
-    try VoxelAssets(BlockTable(blocks), VoxelTextures(textures.values.map(_._1).toIndexedSeq, textures.values.map(_._2).toIndexedSeq))
+    if (textures.size > VoxelTextures.Most)
+      refuse(s"names ${textures.size} textures; at most ${VoxelTextures.Most}")
+    try VoxelAssets(
+        BlockTable(blocks),
+        VoxelTextures(textures.values.map(_._1).toIndexedSeq, textures.values.map(_._2).toIndexedSeq)
+      )
     catch { case e: IllegalArgumentException => refuse(e.getMessage.stripPrefix("requirement failed: ")) }
   }
 }

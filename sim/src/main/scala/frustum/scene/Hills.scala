@@ -12,9 +12,9 @@ object Hills {
         0.1 * noise(x / 3.0, y / 3.0, 13, seed)
       (size.z * (0.1 + 0.55 * n)).toInt.min(size.z - 2)
     }
-    val sea       = (size.z * 0.3).toInt
-    val snowLine  = (size.z * 0.52).toInt
-    val ids       = Array.ofDim[Int](size.x, size.y, size.z)
+    val sea      = (size.z * 0.3).toInt
+    val snowLine = (size.z * 0.52).toInt
+    val ids      = Array.ofDim[Int](size.x, size.y, size.z)
     for (x <- 0 until size.x; y <- 0 until size.y) {
       val top = surface(x)(y)
       for (z <- 0 to top.max(sea)) ids(x)(y)(z) =
@@ -29,22 +29,36 @@ object Hills {
     for (_ <- 0 until size.x * size.y / 100) {
       val (x, y) = (2 + random.nextInt(size.x - 4), 2 + random.nextInt(size.y - 4))
       val z      = surface(x)(y)
-      if (z > sea + 1 && z < size.z - 8 && ids(x)(y)(z) == Blocks.id("grass")) tree(ids, size, x, y, z, 3 + random.nextInt(2))
+      if (z > sea + 1 && z < size.z - 8 && ids(x)(y)(z) == Blocks.id("grass"))
+        tree(ids, size, x, y, z, 3 + random.nextInt(2))
     }
     hut(ids, size, surface, sea)
     VoxelWorld.tabulate(size)((x, y, z) => ids(x)(y)(z))
   }
 
-  private def tree(ids: Array[Array[Array[Int]]], size: WorldSize, x: Int, y: Int, z: Int, trunk: Int): Unit = {
+  private def tree(
+      ids: Array[Array[Array[Int]]],
+      size: WorldSize,
+      x: Int,
+      y: Int,
+      z: Int,
+      trunk: Int
+  ): Unit = {
     for (dx <- -2 to 2; dy <- -2 to 2; dz <- -1 to 2) {
       val (bx, by, bz) = (x + dx, y + dy, z + trunk + dz)
-      if (dx.abs + dy.abs + dz.abs <= 3 && size.contains(bx, by, bz) && ids(bx)(by)(bz) == 0) ids(bx)(by)(bz) = Blocks.id("leaves")
+      if (dx.abs + dy.abs + dz.abs <= 3 && size.contains(bx, by, bz) && ids(bx)(by)(bz) == 0)
+        ids(bx)(by)(bz) = Blocks.id("leaves")
     }
     for (dz <- 1 to trunk) ids(x)(y)(z + dz) = Blocks.id("log")
   }
 
   /** Near the middle, on the first dry ground that is found. */
-  private def hut(ids: Array[Array[Array[Int]]], size: WorldSize, surface: Array[Array[Int]], sea: Int): Unit = {
+  private def hut(
+      ids: Array[Array[Array[Int]]],
+      size: WorldSize,
+      surface: Array[Array[Int]],
+      sea: Int
+  ): Unit = {
     val places = for (x <- size.x / 3 until size.x - 6; y <- size.y / 3 until size.y - 6) yield (x, y)
     places.find { case (x, y) => surface(x)(y) > sea && surface(x)(y) < size.z - 7 }.foreach { case (x, y) =>
       val floor = surface(x)(y)
@@ -64,7 +78,8 @@ object Hills {
 
   private def stone(x: Int, y: Int, z: Int, seed: Long): Int = {
     val vein = hash(x / 2, y / 2, z / 2, seed + 3)
-    Blocks.id(if (vein < 0.02) "gold" else if (vein < 0.05) "iron" else if (vein < 0.1) "coal" else if (vein < 0.16) "gravel" else "stone")
+    Blocks.id(if (vein < 0.02) "gold"
+    else if (vein < 0.05) "iron" else if (vein < 0.1) "coal" else if (vein < 0.16) "gravel" else "stone")
   }
 
   private def cave(x: Int, y: Int, z: Int, seed: Long): Boolean =
@@ -72,9 +87,9 @@ object Hills {
 
   /** Smooth in x and y, in [0, 1). */
   private def noise(x: Double, y: Double, layer: Int, seed: Long): Double = {
-    val (i, j)            = (floor(x).toInt, floor(y).toInt)
-    def ease(t: Double)   = t * t * (3 - 2 * t)
-    val (u, v)            = (ease(x - i), ease(y - j))
+    val (i, j)               = (floor(x).toInt, floor(y).toInt)
+    def ease(t: Double)      = t * t * (3 - 2 * t)
+    val (u, v)               = (ease(x - i), ease(y - j))
     def at(di: Int, dj: Int) = hash(i + di, j + dj, layer, seed)
     (at(0, 0) * (1 - u) + at(1, 0) * u) * (1 - v) + (at(0, 1) * (1 - u) + at(1, 1) * u) * v
   }

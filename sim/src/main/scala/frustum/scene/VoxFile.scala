@@ -21,7 +21,8 @@ object VoxFile {
         case e: IOException         => refuse(s"cannot be read (${e.getClass.getSimpleName}); check the file")
       }
     def need(at: Int, n: Long, what: String): Unit =
-      if (n < 0 || at + n > bytes.limit) refuse(s"byte $at: $what ends beyond the file's ${bytes.limit} bytes; save it again")
+      if (n < 0 || at + n > bytes.limit)
+        refuse(s"byte $at: $what ends beyond the file's ${bytes.limit} bytes; save it again")
     def name(at: Int) = new String(bytes.array, at, 4, "ISO-8859-1")
 
     need(0, 8, "the header")
@@ -36,7 +37,8 @@ object VoxFile {
         val body                      = at + 12
         need(body, content, s"chunk $kind")
         need(body + content, children, s"the children of chunk $kind")
-        def sized(n: Long): Unit = if (content < n) refuse(s"byte $at: chunk $kind has $content bytes, $n are needed; save it again")
+        def sized(n: Long): Unit =
+          if (content < n) refuse(s"byte $at: chunk $kind has $content bytes, $n are needed; save it again")
         kind match {
           case "SIZE" =>
             sized(12)
@@ -70,7 +72,7 @@ object VoxFile {
     voxels.find(v => v.x >= sx || v.y >= sy || v.z >= sz).foreach(v =>
       refuse(s"voxel (${v.x}, ${v.y}, ${v.z}) lies outside its model of ${sx}x${sy}x$sz; save it again")
     )
-    val nearest = palette.map(nearestBlock(assets))
+    val nearest  = palette.map(nearestBlock(assets))
     val (x0, y0) = ((size.x - sx) / 2, (size.y - sy) / 2)
     val at       = voxels.map(v => (v.x + x0, v.y + y0, v.z) -> nearest(v.color)).toMap
     VoxelWorld.tabulate(size)((x, y, z) => at.getOrElse((x, y, z), 0))
@@ -84,13 +86,16 @@ object VoxFile {
     }
     rgb =>
       assets.table.ids.filter(assets.table(_).opaque).minBy { id =>
-        means(id - 1).zip(Seq(16, 8, 0)).map { case (mean, at) => val d = mean - (rgb >> at & 255); d * d }.sum
+        means(id - 1).zip(Seq(16, 8, 0)).map { case (mean, at) =>
+          val d = mean - (rgb >> at & 255); d * d
+        }.sum
       }
   }
 
   /** The format's palette for files without one: steps of 51 from white to black, then ramps of red, green, blue and grey. */
   private val defaultPalette: IndexedSeq[Int] = {
-    val cube  = for (r <- 255 to 0 by -51; g <- 255 to 0 by -51; b <- 255 to 0 by -51) yield r << 16 | g << 8 | b
+    val cube =
+      for (r <- 255 to 0 by -51; g <- 255 to 0 by -51; b <- 255 to 0 by -51) yield r << 16 | g << 8 | b
     val ramp  = Seq(0xee, 0xdd, 0xbb, 0xaa, 0x88, 0x77, 0x55, 0x44, 0x22, 0x11)
     val ramps = ramp.map(_ << 16) ++ ramp.map(_ << 8) ++ ramp ++ ramp.map(_ * 0x010101)
     (0 +: (cube.init ++ ramps)).toIndexedSeq

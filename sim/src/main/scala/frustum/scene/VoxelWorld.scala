@@ -12,7 +12,8 @@ final case class VoxelWorld(size: WorldSize, ids: IndexedSeq[Byte]) {
   /** Outside the world there is air. */
   def apply(x: Int, y: Int, z: Int): Int = if (size.contains(x, y, z)) ids(size.address(x, y, z)).toInt else 0
 
-  def updated(x: Int, y: Int, z: Int, id: Int): VoxelWorld = copy(ids = ids.updated(size.address(x, y, z), id.toByte))
+  def updated(x: Int, y: Int, z: Int, id: Int): VoxelWorld =
+    copy(ids = ids.updated(size.address(x, y, z), id.toByte))
 }
 
 object VoxelWorld {
@@ -20,7 +21,8 @@ object VoxelWorld {
   /** @param id what is at x, y, z */
   def tabulate(size: WorldSize)(id: (Int, Int, Int) => Int): VoxelWorld = {
     val ids = new Array[Byte](size.blocks)
-    for (x <- 0 until size.x; y <- 0 until size.y; z <- 0 until size.z) ids(size.address(x, y, z)) = id(x, y, z).toByte
+    for (x <- 0 until size.x; y <- 0 until size.y; z <- 0 until size.z)
+      ids(size.address(x, y, z)) = id(x, y, z).toByte
     VoxelWorld(size, ids.toIndexedSeq)
   }
 
@@ -33,7 +35,8 @@ object VoxelWorld {
       try Files.readAllBytes(file)
       catch {
         case _: NoSuchFileException => throw InputError(s"$file: there is no such file; check the name")
-        case e: IOException => throw InputError(s"$file: cannot be read (${e.getClass.getSimpleName}); check the file")
+        case e: IOException         =>
+          throw InputError(s"$file: cannot be read (${e.getClass.getSimpleName}); check the file")
       }
     if (bytes.length != size.blocks) throw InputError(
       s"$file: has ${bytes.length} bytes, a world of $size has ${size.blocks}; give its size with --world-size"

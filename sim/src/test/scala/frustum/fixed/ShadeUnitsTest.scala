@@ -15,24 +15,26 @@ class ShadeUnitsTest extends AnyFunSuite {
   private val root    = new FunctionTable(rises = true, x => 65535 * sqrt(x.max(1.0 / 65536)))
   private val inverse = new FunctionTable(rises = false, x => 65535 / (1 + x))
 
-  for ((name, table) <- Seq("rises" -> root, "falls" -> inverse)) test(s"a function that $name: every input") {
-    FrustumSim.compile(s"FunctionUnit_$name")(FunctionUnit(table, Tech.Generic)).doSim("all", 1) { dut =>
-      dut.clockDomain.forkStimulus(10)
-      dut.io.x #= 0
-      dut.clockDomain.waitSampling(10)
-      for (x <- 0 until 65536 + FunctionUnit.Latency) {
-        dut.io.x #= x.min(65535)
-        dut.clockDomain.waitSampling()
-        val of = x - FunctionUnit.Latency
-        if (of >= 0) assert(dut.io.y.toInt == table(of), s"x = $of")
+  for ((name, table) <- Seq("rises" -> root, "falls" -> inverse))
+    test(s"a function that $name: every input") {
+      FrustumSim.compile(s"FunctionUnit_$name")(FunctionUnit(table, Tech.Generic)).doSim("all", 1) { dut =>
+        dut.clockDomain.forkStimulus(10)
+        dut.io.x #= 0
+        dut.clockDomain.waitSampling(10)
+        for (x <- 0 until 65536 + FunctionUnit.Latency) {
+          dut.io.x #= x.min(65535)
+          dut.clockDomain.waitSampling()
+          val of = x - FunctionUnit.Latency
+          if (of >= 0) assert(dut.io.y.toInt == table(of), s"x = $of")
+        }
       }
     }
-  }
 
   test("a table's error is a line's and a unit of rounding, from the second interval on") {
     for (x <- 256 until 65536) {
       val t     = (x + 0.5) / 65536
-      val bound = 1 + 65535 * scala.math.pow(1.0 / 256, 2) / 8 * scala.math.pow(t - 1.0 / 256, -1.5).min(4096) / 4 + 1
+      val bound =
+        1 + 65535 * scala.math.pow(1.0 / 256, 2) / 8 * scala.math.pow(t - 1.0 / 256, -1.5).min(4096) / 4 + 1
       assert((root(x) - 65535 * sqrt(t)).abs <= bound, s"root of $x")
       assert((inverse(x) - 65535 / (1 + t)).abs <= 2.5, s"reciprocal of $x")
     }
@@ -43,14 +45,15 @@ class ShadeUnitsTest extends AnyFunSuite {
     val most    = (1L << width - 1) - 1
     val corners = for (a <- Seq(-most - 1, -1L, 0L, 1L, most); b <- Seq(0, 1, 0x8000, 0xffff)) yield (a, b)
     val pairs   = corners ++ Seq.fill(500)((random.between(-most - 1, most + 1), random.nextInt(65536)))
-    FrustumSim.compile(s"WideMultiplier_$width")(WideMultiplier(Tech.Generic, width)).doSim("pairs", 1) { dut =>
-      dut.clockDomain.forkStimulus(10)
-      for ((a, b) <- pairs) {
-        dut.io.a #= a
-        dut.io.b #= b
-        dut.clockDomain.waitSampling(Multiplier16.Latency + 1)
-        assert(dut.io.product.toLong == a * b, s"$a * $b")
-      }
+    FrustumSim.compile(s"WideMultiplier_$width")(WideMultiplier(Tech.Generic, width)).doSim("pairs", 1) {
+      dut =>
+        dut.clockDomain.forkStimulus(10)
+        for ((a, b) <- pairs) {
+          dut.io.a #= a
+          dut.io.b #= b
+          dut.clockDomain.waitSampling(Multiplier16.Latency + 1)
+          assert(dut.io.product.toLong == a * b, s"$a * $b")
+        }
     }
   }
 

@@ -24,21 +24,27 @@ class BudgetsTest extends AnyFunSuite {
   ))
 
   test("a worse value fails, and an update does not loosen its bound") {
-    val check = three.measured(Seq(Measured("a", "wrong", 6), Measured("a", "psnr", 39.5), Measured("b", "wrong", 0)))
+    val check =
+      three.measured(Seq(Measured("a", "wrong", 6), Measured("a", "psnr", 39.5), Measured("b", "wrong", 0)))
     assert(check.failures.length == 2)
     assert(check.updated.rows.map(_.bound) == Seq(5, 40, 0))
     assert(check.updated.rows.count(!_.met) == 2)
   }
 
   test("an update tightens to a better value, rounded on the safe side") {
-    val check = three.measured(Seq(Measured("a", "wrong", 2.3456789), Measured("a", "psnr", 43.456789), Measured("b", "wrong", 0)))
+    val check = three.measured(Seq(
+      Measured("a", "wrong", 2.3456789),
+      Measured("a", "psnr", 43.456789),
+      Measured("b", "wrong", 0)
+    ))
     assert(check.failures.isEmpty)
     assert(check.updated.rows.map(_.bound) == Seq(2.3457, 43.456, 0))
     assert(check.updated.rows.forall(_.met))
   }
 
   test("a figure without a bound and a bound without a figure fail") {
-    val check = three.measured(Seq(Measured("a", "wrong", 5), Measured("a", "psnr", 41), Measured("c", "wrong", 0)))
+    val check =
+      three.measured(Seq(Measured("a", "wrong", 5), Measured("a", "psnr", 41), Measured("c", "wrong", 0)))
     assert(check.failures.length == 2)
     assert(check.failures.exists(_.contains("c: wrong")) && check.failures.exists(_.contains("b: wrong")))
   }

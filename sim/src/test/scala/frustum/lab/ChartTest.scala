@@ -7,7 +7,8 @@ import javax.imageio.ImageIO
 
 /** Shapes that the charts' data must have, and what the command writes. */
 class ChartTest extends AnyFunSuite {
-  private def series(chart: Chart, method: String): Seq[Double] = chart.points.filter(_.method == method).sortBy(_.cost).map(_.error)
+  private def series(chart: Chart, method: String): Seq[Double] =
+    chart.points.filter(_.method == method).sortBy(_.cost).map(_.error)
 
   test("affine spans: the error grows with the square of the span") {
     for (span <- Seq(2, 4, 8)) {
@@ -17,7 +18,7 @@ class ChartTest extends AnyFunSuite {
   }
 
   test("reciprocal: an index bit more halves a table's error and quarters that of a line or a Newton step") {
-    val chart = ReciprocalFamily.charts(None).head
+    val chart                        = ReciprocalFamily.charts(None).head
     def gain(method: String, n: Int) = { val e = series(chart, method); e(n) / e(n + 1) }
     for (n <- 0 to 6) {
       assert(gain("table", n) > 1.8 && gain("table", n) < 2.2)
@@ -25,7 +26,8 @@ class ChartTest extends AnyFunSuite {
       assert(gain("table and Newton step", n) > 3.4 && gain("table and Newton step", n) < 4.6)
     }
     // Measured elsewhere: some 17 bits of a table of 3 kbit and one Newton step.
-    val three = chart.points.filter(p => p.method == "table and Newton step" && p.cost <= 3.1).map(_.error).min
+    val three =
+      chart.points.filter(p => p.method == "table and Newton step" && p.cost <= 3.1).map(_.error).min
     assert(ReciprocalFamily.bitsOf(three) > 16.5)
     assert(ReciprocalFamily.bitsOf(chart.shipped.get.error) > 15.9)
   }
@@ -45,8 +47,10 @@ class ChartTest extends AnyFunSuite {
   }
 
   test("the front holds what nothing beats, and no more") {
-    val Seq(a, b, c, d) = Seq((1, 9), (2, 5), (3, 5), (4, 1)).map { case (cost, error) => ChartPoint("m", s"$cost", cost, error) }
-    val chart           = Chart("n", "t", "c", "e", Seq(d, b, c, a), None, None, 1e-3, "")
+    val Seq(a, b, c, d) = Seq((1, 9), (2, 5), (3, 5), (4, 1)).map { case (cost, error) =>
+      ChartPoint("m", s"$cost", cost, error)
+    }
+    val chart = Chart("n", "t", "c", "e", Seq(d, b, c, a), None, None, 1e-3, "")
     assert(chart.front == Seq(a, b, d))
   }
 
@@ -63,6 +67,11 @@ class ChartTest extends AnyFunSuite {
   for ((words, part) <- Seq(Seq("chart", "taste") -> "perspective", Seq("chart", "--deep") -> "--deep"))
     test(s"refused: ${words.mkString(" ")}") {
       val run = CommandRunner.run(words: _*)
-      assert(run.code == 2 && run.err.length == 1 && run.err.head.startsWith("error: ") && run.err.head.contains(part), run)
+      assert(
+        run.code == 2 && run.err.length == 1 && run.err.head.startsWith("error: ") && run.err.head.contains(
+          part
+        ),
+        run
+      )
     }
 }

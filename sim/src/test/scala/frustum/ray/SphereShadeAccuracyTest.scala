@@ -22,7 +22,9 @@ class SphereShadeAccuracyTest extends AnyFunSuite {
   }
   private def hold(what: String, counts: (Long, RayCounts)): Unit = {
     val (pixels, c) = counts
-    info(f"$what: $pixels pixels on spheres, ${c.colourErrorsOver1} off by more than 1, at most ${c.maxColourError}%.2f")
+    info(
+      f"$what: $pixels pixels on spheres, ${c.colourErrorsOver1} off by more than 1, at most ${c.maxColourError}%.2f"
+    )
     assert(pixels > 0 && c.colourErrorsOver1 <= pixels / 1000 && c.maxColourError <= 2, c)
   }
 
@@ -30,6 +32,7 @@ class SphereShadeAccuracyTest extends AnyFunSuite {
     val random = new Random(1)
     hold("pong", judge(pong, Seq.fill(500)(RandomScenes.motion(pong, random))))
   }
+
   /** Nearer, at 1 unit, 3 of 567 pixels are off by up to 2.84. */
   test("light at 2 to 10 units from the sphere, 640 x 480") {
     val fine             = PongScene.room()

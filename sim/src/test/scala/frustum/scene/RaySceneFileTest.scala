@@ -67,7 +67,10 @@ class RaySceneFileTest extends AnyFunSuite {
       "20"
     ),
     """{"spheres": [{"centre": [0,0,100], "radius": 20, "color": "ff0000"}, {"centre": [0,30,110], "radius": 12, "color": "00ff00"}]}""" -> Seq(
-      "spheres 0 and 1 may intersect", "20 and 12", "1000", "1024"
+      "spheres 0 and 1 may intersect",
+      "20 and 12",
+      "1000",
+      "1024"
     ),
     """{"light": [0,0,9000]}""" -> Seq("outside the room", "9000")
   )

@@ -18,15 +18,21 @@ class VoxFileTest extends AnyFunSuite {
     buffer.array
   }
   private def vox(children: Array[Byte]*): java.nio.file.Path =
-    Files.write(Files.createTempFile("model", ".vox"), "VOX ".getBytes ++ ints(150) ++ chunk("MAIN", Array(), children.reduce(_ ++ _)))
+    Files.write(
+      Files.createTempFile("model", ".vox"),
+      "VOX ".getBytes ++ ints(150) ++ chunk("MAIN", Array(), children.reduce(_ ++ _))
+    )
   private def voxels(v: (Int, Int, Int, Int)*) =
     chunk("XYZI", ints(v.length) ++ v.flatMap { case (x, y, z, c) => Seq(x, y, z, c).map(_.toByte) })
 
   test("voxels stand in the middle of the ground, as blocks of the nearest colour") {
     val snow   = 0xf6fafc
-    val colors = chunk("RGBA", ints((Seq(0x0000ff, snow) ++ Seq.fill(254)(0)).map { rgb =>
-      0xff << 24 | (rgb & 255) << 16 | rgb & 0xff00 | rgb >> 16 & 255
-    }: _*))
+    val colors = chunk(
+      "RGBA",
+      ints((Seq(0x0000ff, snow) ++ Seq.fill(254)(0)).map { rgb =>
+        0xff << 24 | (rgb & 255) << 16 | rgb & 0xff00 | rgb >> 16 & 255
+      }: _*)
+    )
     val file  = vox(chunk("SIZE", ints(2, 4, 3)), voxels((0, 0, 0, 1), (1, 3, 2, 2)), colors)
     val world = VoxFile.read(file, size, Blocks.assets)
     assert(world(3, 2, 0) == Blocks.id("blue wool"))
@@ -35,16 +41,36 @@ class VoxFileTest extends AnyFunSuite {
   }
 
   test("without a palette the format's own holds: colour 1 is white, 255 nearly black") {
-    val world = VoxFile.read(vox(chunk("SIZE", ints(8, 8, 8)), voxels((0, 0, 0, 1), (7, 7, 7, 255))), size, Blocks.assets)
+    val world = VoxFile.read(
+      vox(chunk("SIZE", ints(8, 8, 8)), voxels((0, 0, 0, 1), (7, 7, 7, 255))),
+      size,
+      Blocks.assets
+    )
     assert(world(0, 0, 0) == Blocks.id("snow") && world(7, 7, 7) == Blocks.id("basalt"))
   }
 
   for (
     (what, file, words) <- Seq(
-      ("a model larger than the world", vox(chunk("SIZE", ints(9, 8, 8)), voxels()), Seq("9x8x8", "--world-size")),
-      ("two models", vox(chunk("SIZE", ints(1, 1, 1)), voxels(), chunk("SIZE", ints(1, 1, 1)), voxels()), Seq("2 models")),
-      ("a voxel outside of its model", vox(chunk("SIZE", ints(2, 2, 2)), voxels((2, 0, 0, 1))), Seq("(2, 0, 0)")),
-      ("fewer voxels than told", vox(chunk("SIZE", ints(2, 2, 2)), chunk("XYZI", ints(5))), Seq("XYZI", "24")),
+      (
+        "a model larger than the world",
+        vox(chunk("SIZE", ints(9, 8, 8)), voxels()),
+        Seq("9x8x8", "--world-size")
+      ),
+      (
+        "two models",
+        vox(chunk("SIZE", ints(1, 1, 1)), voxels(), chunk("SIZE", ints(1, 1, 1)), voxels()),
+        Seq("2 models")
+      ),
+      (
+        "a voxel outside of its model",
+        vox(chunk("SIZE", ints(2, 2, 2)), voxels((2, 0, 0, 1))),
+        Seq("(2, 0, 0)")
+      ),
+      (
+        "fewer voxels than told",
+        vox(chunk("SIZE", ints(2, 2, 2)), chunk("XYZI", ints(5))),
+        Seq("XYZI", "24")
+      ),
       ("no model", vox(chunk("PACK", ints(1))), Seq("0 models"))
     )
   ) test(s"refused: $what") {

@@ -22,7 +22,13 @@ class VoxelConsoleTest extends AnyFunSuite {
   private val baud  = 6250000
   private lazy val compiled = SimConfig
     .withConfig(FrustumSim.spinalConfig.copy(defaultClockDomainFrequency = FixedFrequency(100 MHz)))
-    .allOptimisation.workspaceName("VoxelConsole").compile(VoxelConsoleTestbed(c, Blocks.assets, mode, start, baud))
+    .allOptimisation.workspaceName("VoxelConsole").compile(VoxelConsoleTestbed(
+      c,
+      Blocks.assets,
+      mode,
+      start,
+      baud
+    ))
 
   /** What the pins show of a model's picture: each channel's upper four bits, each pixel four times. */
   private def atPins(world: VoxelWorld, camera: VoxelCamera): Array[Int] = {
@@ -54,7 +60,7 @@ class VoxelConsoleTest extends AnyFunSuite {
 
     /** The next whole frame. */
     def frame(): Array[Int] = {
-      val seen = reader.frames
+      val seen  = reader.frames
       var looks = 0
       while (reader.frames == seen) {
         assert(looks < 200, "no frame")
@@ -67,7 +73,7 @@ class VoxelConsoleTest extends AnyFunSuite {
     def frames(n: Int): Array[Int] = Seq.fill(n)(frame()).last
   }
 
-  private val world = Hills(c.size, 1)
+  private val world                          = Hills(c.size, 1)
   private def camera(x: Double, yaw: Double) = VoxelView(new Vector3d(x, 7.3, 12.4), yaw, -20, 45).camera(c)
 
   test("without a host: the world from its middle, sync as the mode says") {
@@ -83,11 +89,11 @@ class VoxelConsoleTest extends AnyFunSuite {
     compiled.doSim("wrong", 2) { dut =>
       val session = new Session(dut, world)
       val good    = camera(8, 30)
-      session.send(Seq(0x55))                                                            // no opcode
-      session.send(VoxelHostCommand.camera(camera(3, 200)).updated(20, 1))               // wrong checksum
-      session.send(VoxelHostCommand.write(c.size.blocks, c.leaps.wordOfBlock(1)))        // outside of the world
-      session.send(VoxelHostCommand.write(5, 1 << c.leaps.wordBits))                     // no word
-      session.send(VoxelHostCommand.camera(camera(3, 200)).take(17))                     // cut short
+      session.send(Seq(0x55))                                                     // no opcode
+      session.send(VoxelHostCommand.camera(camera(3, 200)).updated(20, 1))        // wrong checksum
+      session.send(VoxelHostCommand.write(c.size.blocks, c.leaps.wordOfBlock(1))) // outside of the world
+      session.send(VoxelHostCommand.write(5, 1 << c.leaps.wordBits))              // no word
+      session.send(VoxelHostCommand.camera(camera(3, 200)).take(17))              // cut short
       session.wait(VoxelHostCommand.SilenceMicros + 100)
       session.send(VoxelHostCommand.camera(good))
       session.frames(3)
@@ -107,13 +113,13 @@ class VoxelConsoleTest extends AnyFunSuite {
       session.frames(3)
       for (n <- 0 until 100) {
         // An edit whose leaps are right: the words around it may all change.
-        val (x, y, z) = (random.nextInt(16), random.nextInt(16), random.nextInt(16))
-        val next      = now.updated(x, y, z, if (now(x, y, z) == 0) 1 + random.nextInt(24) else 0)
+        val (x, y, z)       = (random.nextInt(16), random.nextInt(16), random.nextInt(16))
+        val next            = now.updated(x, y, z, if (now(x, y, z) == 0) 1 + random.nextInt(24) else 0)
         val (before, after) = (LeapWords(now, c.leaps), LeapWords(next, c.leaps))
-        val changed   = before.indices.filter(i => before(i) != after(i))
+        val changed         = before.indices.filter(i => before(i) != after(i))
         // Blocks that go are cleared first and distances then grow; those that come shorten distances first.
-        val order     = changed.sortBy(i => (c.leaps.isBlock(after(i)) == (now(x, y, z) == 0), i))
-        val view      = camera(8 + 3 * scala.math.sin(n / 9.0), 5.0 * n)
+        val order = changed.sortBy(i => (c.leaps.isBlock(after(i)) == (now(x, y, z) == 0), i))
+        val view  = camera(8 + 3 * scala.math.sin(n / 9.0), 5.0 * n)
         if (order.length < 60) {
           order.foreach(i => session.send(VoxelHostCommand.write(i, after(i))))
           now = next

@@ -13,15 +13,16 @@ import scala.util.Random
 /** The model's rays against exact marching. */
 class VoxelModelTest extends AnyFunSuite {
   private val small  = VoxelConfig(size = WorldSize(16, 32, 8), width = 32, height = 24)
-  private val fields = Seq(LeapField.UpDown, LeapField.Octants, LeapField(0, 3), LeapField(5, 4), LeapField(0, 0))
+  private val fields =
+    Seq(LeapField.UpDown, LeapField.Octants, LeapField(0, 3), LeapField(5, 4), LeapField(0, 0))
 
   private def scatter(size: WorldSize, random: Random, density: Double) =
     VoxelWorld.tabulate(size)((_, _, _) => if (random.nextDouble() < density) 1 + random.nextInt(24) else 0)
 
   /** Rays in all directions from all kinds of places, many of them where borders meet. */
   private def rays(c: VoxelConfig, random: Random, n: Int): Seq[(IntVector, IntVector)] = Seq.fill(n) {
-    val one  = 1 << c.eyeBits
-    val eye  = c.size.axes.map { size =>
+    val one = 1 << c.eyeBits
+    val eye = c.size.axes.map { size =>
       val whole = random.between(-4, size + 5) * one
       if (random.nextInt(3) == 0) whole else whole + random.nextInt(one)
     }
@@ -31,7 +32,8 @@ class VoxelModelTest extends AnyFunSuite {
       case 1 => Seq.fill(3)((random.nextInt(5) - 2) * full / 2) // along axes and through edges and corners
       case 2 => Seq.fill(3)(random.nextInt(9) - 4).map(_ * full / 4)
     }
-    val reached = if (direction.forall(_.abs < full / 2)) direction.updated(random.nextInt(3), full) else direction
+    val reached =
+      if (direction.forall(_.abs < full / 2)) direction.updated(random.nextInt(3), full) else direction
     (IntVector(eye(0), eye(1), eye(2)), IntVector(reached(0), reached(1), reached(2)))
   }
 
@@ -61,7 +63,9 @@ class VoxelModelTest extends AnyFunSuite {
         new VoxelJudge(model).picture(camera, view, pixels)
       }
       val sum = counts.reduce(_ + _)
-      info(f"$field: ${sum.plainSteps.toDouble / sum.rays}%.2f steps a ray plain, ${sum.steps.toDouble / sum.rays}%.2f leaping")
+      info(
+        f"$field: ${sum.plainSteps.toDouble / sum.rays}%.2f steps a ray plain, ${sum.steps.toDouble / sum.rays}%.2f leaping"
+      )
       assert(sum.failures.isEmpty)
       assert(sum.steps <= sum.plainSteps * most)
     }
@@ -70,16 +74,18 @@ class VoxelModelTest extends AnyFunSuite {
   test("directions are within 1/16 pixel of the ideal camera's") {
     val c      = VoxelConfig()
     val random = new Random(3)
-    val model  = new VoxelModel(c, Blocks.assets, VoxelWorld.tabulate(c.size)((_, _, z) => if (z == 0) 1 else 0))
-    val worst  = Seq.fill(40)((random.nextDouble() * 360, random.nextDouble() * 180 - 90)).map { case (yaw, pitch) =>
-      val view   = VoxelView(new Vector3d(32, 32, 16), yaw, pitch, 225)
-      val camera = view.camera(c)
-      val ideal  = new frustum.reference.voxel.IdealVoxelPicture(c, Blocks.assets, model.world, view)
-      (for (j <- 0 until c.height by 7; i <- 0 until c.width by 7) yield {
-        val ray = RaySetup(camera.eye.axes, camera.direction(i, j), c)
-        ideal.directionError(i, j, VoxelJudge.direction(ray, c.slopeBits).map(_.toDouble))
-      }).max
-    }.max
+    val model  =
+      new VoxelModel(c, Blocks.assets, VoxelWorld.tabulate(c.size)((_, _, z) => if (z == 0) 1 else 0))
+    val worst =
+      Seq.fill(40)((random.nextDouble() * 360, random.nextDouble() * 180 - 90)).map { case (yaw, pitch) =>
+        val view   = VoxelView(new Vector3d(32, 32, 16), yaw, pitch, 225)
+        val camera = view.camera(c)
+        val ideal  = new frustum.reference.voxel.IdealVoxelPicture(c, Blocks.assets, model.world, view)
+        (for (j <- 0 until c.height by 7; i <- 0 until c.width by 7) yield {
+          val ray = RaySetup(camera.eye.axes, camera.direction(i, j), c)
+          ideal.directionError(i, j, VoxelJudge.direction(ray, c.slopeBits).map(_.toDouble))
+        }).max
+      }.max
     info(f"largest error $worst%.4f pixels")
     assert(worst <= 1.0 / 16)
   }
@@ -89,7 +95,8 @@ class VoxelModelTest extends AnyFunSuite {
     val model = new VoxelModel(c, Blocks.assets, scatter(c.size, new Random(5), 0.3))
     for ((eye, d) <- rays(c, new Random(6), 5000)) {
       val camera = VoxelCamera(eye, d, d, IntVector(0, 0, 0), IntVector(0, 0, 0))
-      for (f <- model.pixel(camera, 0, 0).seen) assert(f.u >= 0 && f.u < 16 && f.v >= 0 && f.v < 16, s"$eye $d")
+      for (f <- model.pixel(camera, 0, 0).seen)
+        assert(f.u >= 0 && f.u < 16 && f.v >= 0 && f.v < 16, s"$eye $d")
     }
   }
 }

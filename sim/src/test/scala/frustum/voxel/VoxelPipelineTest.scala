@@ -65,9 +65,30 @@ class VoxelPipelineTest extends AnyFunSuite {
   for (
     c <- Seq(
       VoxelConfig(size = WorldSize(16, 8, 16), width = 40, height = 32),
-      VoxelConfig(size = WorldSize(16, 32, 8), width = 32, height = 24, leaps = LeapField.Octants, distance = 12, fog = false),
-      VoxelConfig(size = WorldSize(16, 16, 32), width = 17, height = 19, leaps = LeapField(0, 0), slopeBits = 13, eyeBits = 5),
-      VoxelConfig(size = WorldSize(4, 8, 64), width = 24, height = 16, leaps = LeapField(3, 4), slopeBits = 14, distance = 60)
+      VoxelConfig(
+        size = WorldSize(16, 32, 8),
+        width = 32,
+        height = 24,
+        leaps = LeapField.Octants,
+        distance = 12,
+        fog = false
+      ),
+      VoxelConfig(
+        size = WorldSize(16, 16, 32),
+        width = 17,
+        height = 19,
+        leaps = LeapField(0, 0),
+        slopeBits = 13,
+        eyeBits = 5
+      ),
+      VoxelConfig(
+        size = WorldSize(4, 8, 64),
+        width = 24,
+        height = 16,
+        leaps = LeapField(3, 4),
+        slopeBits = 14,
+        distance = 60
+      )
     )
   ) test(s"pictures and steps are the model's, $c") {
     val random = new Random(seed)

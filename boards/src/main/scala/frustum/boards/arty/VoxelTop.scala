@@ -17,7 +17,8 @@ case class VoxelTop(config: VoxelConfig, tech: Tech) extends Component {
     private val unreset = ClockDomain(io.clk, config = ClockDomainConfig(resetKind = BOOT))
     val domain          = ClockDomain(
       clock = io.clk,
-      reset = ResetCtrl.asyncAssertSyncDeassert(!io.resetn, unreset, inputPolarity = HIGH, outputPolarity = HIGH),
+      reset =
+        ResetCtrl.asyncAssertSyncDeassert(!io.resetn, unreset, inputPolarity = HIGH, outputPolarity = HIGH),
       frequency = ClockDomain.FixedFrequency(100 MHz)
     )
   }

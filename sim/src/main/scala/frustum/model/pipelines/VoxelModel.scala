@@ -52,7 +52,8 @@ final class VoxelModel(val config: VoxelConfig, val assets: VoxelAssets, val wor
         val face   = seen(hit, texel)
         val rgba   = assets.textures(assets.table(hit.id).textures(texel.face), texel.u, texel.v)
         val chosen = pointedAt.exists(_.sameFace(face))
-        layers = layers.behind(LayerComposite.face(rgba, texel.face, texel.farSquared, chosen, config), rgba & 15)
+        layers =
+          layers.behind(LayerComposite.face(rgba, texel.face, texel.farSquared, chosen, config), rgba & 15)
         faces += face
       }
     }

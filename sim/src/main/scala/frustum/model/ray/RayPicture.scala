@@ -52,7 +52,7 @@ class RayPicture(scene: RayScene, width: Int, height: Int) {
   private def pixel(): RayPixel = {
     val hitSpheres = spheres.indices.filter(i => value(spheres(i)._1) >= 0 && value(spheres(i)._2) > 0)
     if (hitSpheres.nonEmpty) {
-      val i = hitSpheres.minBy(i => value(spheres(i)._2))
+      val i     = hitSpheres.minBy(i => value(spheres(i)._2))
       val color = shade.fold(scene.spheres(i).color) { s =>
         ramps(i)(s(
           apply(s"sphere$i"),

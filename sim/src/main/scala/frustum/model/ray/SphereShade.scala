@@ -7,7 +7,7 @@ class SphereShade(format: RayShade) {
   import RayShade._
   import format._
 
-  private def right(v: Long, by: Int): Long  = if (by >= 0) v >> by else v << -by
+  private def right(v: Long, by: Int): Long = if (by >= 0) v >> by else v << -by
 
   /** Steps by which v, of `bits`, is shifted to the left. */
   private def steps(v: Long, bits: Int, w: ShadeWindow): Int = {

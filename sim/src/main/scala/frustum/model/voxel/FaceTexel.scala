@@ -27,10 +27,10 @@ object FaceTexel {
   }
 
   def apply(hit: FaceHit, eye: Seq[Int], c: VoxelConfig): FaceTexel = {
-    val ray  = hit.ray
-    val axes = ray.fast +: ray.others
-    val t    = new Array[Int](3) // texels within the block, mirrored
-    val one  = 1L << c.fractionBits
+    val ray        = hit.ray
+    val axes       = ray.fast +: ray.others
+    val t          = new Array[Int](3) // texels within the block, mirrored
+    val one        = 1L << c.fractionBits
     def at(i: Int) = hit.at(i) + (if (ray.low(i)) 1 else 0) - hit.block(ray.others(i)) * one
     if (hit.entry == 0)
       for (i <- 0 to 1) t(ray.others(i)) = (at(i) >> c.fractionBits - 4).toInt.min(15)

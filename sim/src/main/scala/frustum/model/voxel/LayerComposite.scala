@@ -19,7 +19,9 @@ final case class LayerComposite(light: Seq[Int], clear: Int) {
   }
 
   /** 0xRRGGBB, rounded: x / 255 = (x + 128 + (x + 128) / 256) / 256. */
-  def color: Int = light.map { x => val y = x + 128; y + (y >> 8) >> 8 }.foldLeft(0)(_ << 8 | _)
+  def color: Int = light.map { x =>
+    val y = x + 128; y + (y >> 8) >> 8
+  }.foldLeft(0)(_ << 8 | _)
 }
 
 object LayerComposite {

@@ -27,9 +27,11 @@ object LeapWords {
       val next = now.clone
       for (x <- 0 until size.x; y <- 0 until size.y; z <- 0 until size.z) {
         val i = size.address(x, y, z)
-        if (now(i) == side && neighbours.forall { case (dx, dy, dz) =>
+        if (
+          now(i) == side && neighbours.forall { case (dx, dy, dz) =>
             !size.contains(x + dx, y + dy, z + dz) || now(size.address(x + dx, y + dy, z + dz)) >= side
-          }) next(i) = (side + 1).toByte
+          }
+        ) next(i) = (side + 1).toByte
       }
       now = next
     }

@@ -44,9 +44,9 @@ final class Marcher(c: VoxelConfig, table: BlockTable, words: Array[Int]) {
           if (table(id).opaque) marching = false
         }
         previous = id
-        val reach       = if (inside && id == 0) c.leaps.distance(word, octant) else 1
+        val reach        = if (inside && id == 0) c.leaps.distance(word, octant) else 1
         val (farA, farB) = (atA + reach * slopeA, atB + reach * slopeB)
-        val fits        = floor(farA) - block(a) < reach && floor(farB) - block(b) < reach
+        val fits         = floor(farA) - block(a) < reach && floor(farB) - block(b) < reach
         if (fits || reach > 1) { // the far side of the cube, or the border before it
           val back = if (fits) 0 else 1
           plane += reach - back

@@ -45,7 +45,10 @@ object RaySetup {
   def apply(eye: Seq[Int], direction: Seq[Int], c: VoxelConfig): RayStart = {
     val mirrored  = direction.map(_ < 0)
     val magnitude = direction.map(_.abs)
-    require(magnitude.max >> Bits - 1 != 0 && magnitude.max >> Bits + 1 == 0, s"direction $direction is out of range")
+    require(
+      magnitude.max >> Bits - 1 != 0 && magnitude.max >> Bits + 1 == 0,
+      s"direction $direction is out of range"
+    )
     val fast   = magnitude.indexOf(magnitude.max)
     val others = Seq((fast + 1) % 3, (fast + 2) % 3)
     val slopes = others.map(k => slope(magnitude(k), magnitude(fast), c))

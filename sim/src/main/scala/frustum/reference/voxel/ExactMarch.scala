@@ -21,7 +21,10 @@ final class ExactMarch(
     direction: Seq[Long],
     down: Seq[Boolean]
 ) {
-  require((0 to 2).forall(k => direction(k) == 0 || direction(k) < 0 == down(k)), s"$direction goes elsewhere than $down")
+  require(
+    (0 to 2).forall(k => direction(k) == 0 || direction(k) < 0 == down(k)),
+    s"$direction goes elsewhere than $down"
+  )
   private val one  = 1L << c.eyeBits
   private val sign = down.map(d => if (d) -1 else 1)
   private val run  = direction.map(_.abs)
@@ -30,7 +33,7 @@ final class ExactMarch(
   private val blocks = Array.tabulate(3)(k => Math.floorDiv(from(k), one))
 
   /** Way to the next border and how fast it is covered: the fraction is the time. */
-  private def way(k: Int): Long             = (blocks(k) + 1) * one - from(k)
+  private def way(k: Int): Long               = (blocks(k) + 1) * one - from(k)
   private def before(k: Int, l: Int): Boolean = way(k) * run(l) < way(l) * run(k)
 
   private def coordinate(k: Int): Int = (if (sign(k) > 0) blocks(k) else -1 - blocks(k)).toInt
@@ -47,7 +50,8 @@ final class ExactMarch(
     previous = if (going) id else 0
     val limit = c.slabs.head + 1
     while (going) {
-      val axis = (1 to 2).foldLeft(0)((best, k) => if (run(k) > 0 && (run(best) == 0 || before(k, best))) k else best)
+      val axis =
+        (1 to 2).foldLeft(0)((best, k) => if (run(k) > 0 && (run(best) == 0 || before(k, best))) k else best)
       val (n, d) = (way(axis), run(axis))
       blocks(axis) += 1
       going = !gone && (0 to 2).forall(k => blocks(k) - Math.floorDiv(from(k), one) <= limit)
@@ -59,7 +63,8 @@ final class ExactMarch(
             if (k == axis) 0
             else Math.floorDiv(16 * ((from(k) - blocks(k) * one) * d + run(k) * n), d * one).toInt.min(15)
           }
-          val far = (0 to 2).map(k => 16 * blocks(k) + t(k) - Math.floorDiv(16 * from(k), one)).map(x => x * x).sum
+          val far =
+            (0 to 2).map(k => 16 * blocks(k) + t(k) - Math.floorDiv(16 * from(k), one)).map(x => x * x).sum
           if (far > c.farSquared) going = false
           else {
             val face   = 2 * axis + (if (sign(axis) < 0) 1 else 0)

@@ -16,14 +16,16 @@ final class IdealVoxelPicture(c: VoxelConfig, assets: VoxelAssets, world: VoxelW
   def picture(): Array[Int] = Array.tabulate(c.pixels)(i => pixel(i % c.width, i / c.width))
 
   def pixel(i: Int, j: Int): Int = {
-    val ray       = view.direction(i, j, c)
-    val d         = Array(ray.x, ray.y, ray.z)
-    val step      = d.map(x => if (x < 0) -1 else 1)
-    val block     = Array.tabulate(3)(k => if (d(k) < 0) scala.math.ceil(eye(k)).toInt - 1 else floor(eye(k)).toInt)
-    val length    = ray.length
-    val color     = Array(0.0, 0.0, 0.0)
+    val ray   = view.direction(i, j, c)
+    val d     = Array(ray.x, ray.y, ray.z)
+    val step  = d.map(x => if (x < 0) -1 else 1)
+    val block =
+      Array.tabulate(3)(k => if (d(k) < 0) scala.math.ceil(eye(k)).toInt - 1 else floor(eye(k)).toInt)
+    val length            = ray.length
+    val color             = Array(0.0, 0.0, 0.0)
     var (clear, previous) = (1.0, world(block(0), block(1), block(2)))
-    def crossing(k: Int)  = if (d(k) == 0) Double.PositiveInfinity else (block(k) + (if (d(k) < 0) 0 else 1) - eye(k)) / d(k)
+    def crossing(k: Int)  =
+      if (d(k) == 0) Double.PositiveInfinity else (block(k) + (if (d(k) < 0) 0 else 1) - eye(k)) / d(k)
     var going = true
     while (going) {
       val axis = (1 to 2).foldLeft(0)((best, k) => if (crossing(k) < crossing(best)) k else best)
