@@ -21,7 +21,7 @@ case class VoxelPipeline(
     kinds: BlockTable,
     textures: VoxelTextures,
     tech: Tech,
-    reach: Int = 6
+    reach: Int = VoxelConfig.Reach
 ) extends Component {
   val io = new Bundle {
     val start     = in Bool ()

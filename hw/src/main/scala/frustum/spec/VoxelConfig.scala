@@ -58,6 +58,9 @@ final case class VoxelConfig(
 object VoxelConfig {
   val MostDistance = 60
 
+  /** Blocks within which a face can be pointed at. */
+  val Reach = 6
+
   /** Blocks around the world in which the eye may be. */
   val Around = 32
 

@@ -122,7 +122,7 @@ object VoxelOptions {
         Arguments.oneOf(leaps.map(l => l._1 -> l._1): _*)
       )((o, v) => o.copy(leaps = v)),
       opt[Unit]("highlight").action((_, o) => o.copy(highlight = true))
-        .text(s"the face in the middle of the picture, if within ${VoxelRun.Reach} blocks"),
+        .text(s"the face in the middle of the picture, if within ${VoxelConfig.Reach} blocks"),
       option[String](
         "engine",
         VoxelRun.Engines.mkString("|"),

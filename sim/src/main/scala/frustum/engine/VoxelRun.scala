@@ -53,7 +53,7 @@ final class VoxelRun(
     if (engine == "reference") VoxelDrawn(ideal, ideal, None, None, None)
     else {
       val camera = view.camera(config)
-      val chosen = if (highlight) model.pointedAt(camera, VoxelRun.Reach) else None
+      val chosen = if (highlight) model.pointedAt(camera, VoxelConfig.Reach) else None
       val pixels =
         for (j <- 0 until config.height; i <- 0 until config.width) yield model.pixel(camera, i, j, chosen)
       val colors  = pixels.map(_.color).toArray
@@ -72,7 +72,4 @@ final class VoxelRun(
 
 object VoxelRun {
   val Engines = Seq("hardware", "model", "reference")
-
-  /** Blocks within which a face is pointed at. */
-  val Reach = 6
 }
