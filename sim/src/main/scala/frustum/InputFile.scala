@@ -13,7 +13,13 @@ object InputFile {
     *   what to do about a file that is no text or cannot be read
     */
   def text(file: Path, remedy: String, charset: Charset = StandardCharsets.UTF_8): String =
-    try Files.readString(file, charset)
+    read(file, remedy)(Files.readString(_, charset))
+
+  /** The bytes of a file, likewise. */
+  def bytes(file: Path, remedy: String): Array[Byte] = read(file, remedy)(Files.readAllBytes)
+
+  private def read[A](file: Path, remedy: String)(how: Path => A): A =
+    try how(file)
     catch {
       case _: NoSuchFileException      => throw InputError(s"$file: there is no such file; check the name")
       case _: CharacterCodingException => throw InputError(s"$file: is not a text file; $remedy")

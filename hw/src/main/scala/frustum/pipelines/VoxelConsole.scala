@@ -1,9 +1,9 @@
 package frustum.pipelines
 
 import frustum.blackbox.Tech
-import frustum.display.{OrderedDither, VideoBus}
+import frustum.display.VideoBus
 import frustum.frame.{DoubleFrameBuffer, DoubledScanout}
-import frustum.spec.{ColorFormat, VideoMode, VoxelAssets, VoxelCamera, VoxelConfig}
+import frustum.spec.{ColorFormat, VideoMode, VoxelAssets, VoxelCamera, VoxelConfig, VoxelHostCommand}
 import frustum.voxel.{VoxelHost, VoxelColor}
 import spinal.core._
 import spinal.lib._
@@ -44,7 +44,7 @@ case class VoxelConsole(
     (looks / looks.floor - 1).abs < 0.01,
     s"$baud baud at $clockMHz MHz: $looks clocks from look to look are not near a whole number"
   )
-  val host = VoxelHost(c, camera, silence = (clockMHz * frustum.spec.VoxelHostCommand.SilenceMicros).toInt)
+  val host     = VoxelHost(c, camera, silence = (clockMHz * VoxelHostCommand.SilenceMicros).toInt)
   val pipeline = VoxelPipeline(c, assets.table, assets.textures, tech)
   val frames   = DoubleFrameBuffer(c.pixels, format.bits)
   val scan     = new SlowArea(divider) {

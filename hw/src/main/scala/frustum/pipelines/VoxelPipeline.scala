@@ -36,12 +36,13 @@ case class VoxelPipeline(
   val rays      = PixelRays(c)
   val setup     = RaySetup(c, tech)
   val marcher   = Marcher(c, kinds)
-  val memory    = WorldMemory(c, tech)
+  val memory    = WorldMemory(c)
   val texels    = FaceTexel(c, Marcher.Slots)
   val composite = LayerComposite(c, kinds, textures, Marcher.Slots)
 
-  val camera = RegNextWhen(io.camera, io.start && !io.busy)
-  rays.io.start  := RegNext(io.start && !io.busy, False)
+  val starting = io.start && !io.busy
+  val camera   = RegNextWhen(io.camera, starting)
+  rays.io.start  := RegNext(starting, False)
   rays.io.camera := camera
   setup.io.eye   := camera.eye
   texels.io.eye  := camera.eye
@@ -76,7 +77,7 @@ case class VoxelPipeline(
   val drawing = new Area {
     val busy = RegInit(False) setWhen io.start
     val left = Reg(UInt(c.pixelBits bits))
-    when(io.start && !busy)(left := c.pixels - 1)
+    when(starting)(left := c.pixels - 1)
     when(io.pixels.valid) {
       left := left - 1
       when(left === 0)(busy := False)

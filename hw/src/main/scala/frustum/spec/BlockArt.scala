@@ -25,6 +25,10 @@ object BlockArt {
       ).map(at => ((rgb >> at & 255) * light * 15 / 255).round.toInt).foldLeft(0)(_ << 4 | _) << 4 | alpha
     }
   }
+
+  /** Of one ramp alone. */
+  private def single(name: String, ramp: Ramp)(shade: (Int, Int) => Double) =
+    Painting(name, ramp, Clear, (u, v) => Dab(second = false, shade(u, v)))
   private val Clear = Ramp(0, alpha = 0)
 
   /** Evenly spread in [0, 1), the same on each run. */
@@ -36,7 +40,7 @@ object BlockArt {
   }
 
   private def plain(name: String, rgb: Int, contrast: Double, seed: Int) =
-    Painting(name, Ramp(rgb, contrast), Clear, (u, v) => Dab(second = false, speckle(u, v, seed)))
+    single(name, Ramp(rgb, contrast))(speckle(_, _, seed))
 
   /** Grains of a second colour. */
   private def ore(name: String, rgb: Int, seed: Int) = Painting(
@@ -69,12 +73,7 @@ object BlockArt {
     )
 
   private def wool(name: String, rgb: Int) =
-    Painting(
-      name,
-      Ramp(rgb, 0.3),
-      Clear,
-      (u, v) => Dab(second = false, ((u + v) % 4 + speckle(u, v, rgb)) / 5)
-    )
+    single(name, Ramp(rgb, 0.3))((u, v) => ((u + v) % 4 + speckle(u, v, rgb)) / 5)
 
   private def edge(u: Int, v: Int) = u == 0 || v == 0 || u == Side - 1 || v == Side - 1
 
@@ -93,12 +92,7 @@ object BlockArt {
       (u, v) =>
         Dab(v % 4 == 3 || (u == v / 4 % 2 * 8 && v % 4 != 3), speckle(u / 4, v, 8))
     ),
-    Painting(
-      "bark",
-      Ramp(0x6e5231, 0.5),
-      Clear,
-      (u, v) => Dab(second = false, (speckle(u, v / 5, 9) + speckle(u, v, 10)) / 2)
-    ),
+    single("bark", Ramp(0x6e5231, 0.5))((u, v) => (speckle(u, v / 5, 9) + speckle(u, v, 10)) / 2),
     Painting(
       "log end",
       Ramp(0xc29a62, 0.35),
@@ -114,11 +108,8 @@ object BlockArt {
       Clear,
       (u, v) => Dab(speckle(u, v, 11) > 0.78, speckle(u, v, 12))
     ),
-    Painting(
-      "water",
-      Ramp(0x3a6ee0, 0.25, alpha = 7),
-      Clear,
-      (u, v) => Dab(second = false, (speckle((u + v) / 3, v / 2, 13) + speckle(u, v, 14)) / 2)
+    single("water", Ramp(0x3a6ee0, 0.25, alpha = 7))((u, v) =>
+      (speckle((u + v) / 3, v / 2, 13) + speckle(u, v, 14)) / 2
     ),
     Painting(
       "glass",
@@ -130,11 +121,8 @@ object BlockArt {
     wall("brick", 0xa8503c, 0xc8c0b4, 8, 4, 15),
     plain("snow", 0xf6fafc, 0.1, 16),
     covered("snow side", 0xf6fafc, 17),
-    Painting(
-      "ice",
-      Ramp(0xa8ccf4, 0.2, alpha = 11),
-      Clear,
-      (u, v) => Dab(second = false, if ((u + 2 * v) % 11 == 0) 1 else speckle(u, v, 18) / 2)
+    single("ice", Ramp(0xa8ccf4, 0.2, alpha = 11))((u, v) =>
+      if ((u + 2 * v) % 11 == 0) 1 else speckle(u, v, 18) / 2
     ),
     ore("coal", 0x303030, 19),
     ore("iron", 0xd8a888, 21),
@@ -171,11 +159,8 @@ object BlockArt {
       (u, v) => Dab(speckle(u / 3, v / 3, 29) > 0.55, speckle(u, v, 30))
     ),
     plain("clay", 0xa4a8b8, 0.15, 31),
-    Painting(
-      "sandstone",
-      Ramp(0xdcc888, 0.3),
-      Clear,
-      (u, v) => Dab(second = false, (if (v % 5 == 4) 0 else 0.6) + speckle(u, v, 32) * 0.4)
+    single("sandstone", Ramp(0xdcc888, 0.3))((u, v) =>
+      (if (v % 5 == 4) 0 else 0.6) + speckle(u, v, 32) * 0.4
     ),
     Painting(
       "marble",

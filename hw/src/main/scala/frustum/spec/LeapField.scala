@@ -47,7 +47,13 @@ final case class LeapField(mask: Int, bits: Int) {
 
 object LeapField {
 
-  /** A word of 7 bits, two in one of 16: the whole world in the iCE40UP5K's single-ported memory. */
+  /** No leaps: a block a step. */
+  val Plain = LeapField(mask = 0, bits = 0)
+
+  /** One distance for all directions, a word of 6 bits. */
+  val Chebyshev = LeapField(mask = 0, bits = 3)
+
+  /** A word of 7 bits. */
   val UpDown = LeapField(mask = 4, bits = 3)
 
   /** A word of 17 bits. */

@@ -6,7 +6,7 @@ import scala.math.{ceil, sqrt}
   *
   * Positions are in blocks with [[eyeBits]] fraction bits. A ray is told by the axis along which it runs
   * fastest and by its slopes against the two others, [[slopeBits]] fraction bits, below 1; see
-  * [[frustum.spec.VoxelRayStart]].
+  * `frustum.voxel.VoxelRay`.
   *
   * @param distance view distance in blocks: what is farther from the eye is sky
   * @param fog from three quarters of the view distance on, faces fade into the sky

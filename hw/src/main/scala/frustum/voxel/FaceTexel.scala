@@ -83,10 +83,12 @@ case class FaceTexel(c: VoxelConfig, slots: Int) extends Component {
     node(DURING) := node(RUN) * node(OTHER)
   }
 
-  line(3)(ALONG(3)) := line(3)(RUN)
-  line(3)(
-    ACROSS(3)
-  ) := (line(3)(BEFORE) + line(3)(DURING).resize(shift + 3 + c.slopeBits).asSInt).asUInt.resized
+  val dividends = new Area {
+    val node   = line(3)
+    val during = node(DURING).resize(shift + 3 + c.slopeBits).asSInt
+    node(ALONG(3))  := node(RUN)
+    node(ACROSS(3)) := (node(BEFORE) + during).asUInt.resized
+  }
 
   /** A digit of both quotients at each of four nodes: subtract a sixteenth of the divisor times 2^k where that goes. */
   val division = for (k <- 3 to 0 by -1) yield new Area {
@@ -97,9 +99,8 @@ case class FaceTexel(c: VoxelConfig, slots: Int) extends Component {
         (1, ACROSS(k), ACROSS.lift(k - 1), c.fractionBits - 4)
       )
     ) {
-      val less = node(
-        rest
-      ).resize(node(rest).getWidth + 1) - (node(OWN) << sixteenth + k).resize(node(rest).getWidth + 1)
+      val width = node(rest).getWidth + 1
+      val less  = node(rest).resize(width) - (node(OWN) << sixteenth + k).resize(width)
       node(DIGIT(k))(i) := !less.msb
       next.foreach(n => node(n) := Mux(less.msb, node(rest), less.resize(node(rest).getWidth)))
     }
@@ -118,26 +119,17 @@ case class FaceTexel(c: VoxelConfig, slots: Int) extends Component {
     node(TEXEL)(2) := entry.mux(0 -> straight(1), 1 -> across, default -> U(0))
   }
 
-  /** Axis k of x, y, z from a vector in the order of a ray. */
-  private def axis[T <: Data](fast: UInt, ordered: Vec[T], k: Int): T =
-    fast.mux(0 -> ordered(k), 1 -> ordered((k + 2) % 3), default -> ordered((k + 1) % 3))
-
   val unmirror = new Area {
     val node = line(8)
     val ray  = node(HIT).ray
     for (k <- 0 to 2) {
-      val t     = axis(ray.fast, node(TEXEL), k)
-      val block = axis(ray.fast, node(HIT).block, k)
-      val eye   = Mux(
-        ray.mirrored(k),
-        S(c.size.axes(k) << c.eyeBits, c.blockBits + c.eyeBits bits) - io.eye(k),
-        io.eye(k)
-      )
+      val t     = RayAxes.xyz(ray.fast, node(TEXEL), k)
+      val block = RayAxes.xyz(ray.fast, node(HIT).block, k)
+      val eye   = RayAxes.mirroredEye(c, ray.mirrored, io.eye, k)
+      val from  = (eye >> c.eyeBits - 4).resize(c.blockBits + 5)
       node(INSIDE)(k) := Mux(ray.mirrored(k), ~t, t)
       node(BLOCK)(k)  := Mux(ray.mirrored(k), U((c.size.axes(k) - 1), c.size.logs.max bits) - block, block)
-      node(AWAY)(
-        k
-      ) := (block @@ t).resize(c.blockBits + 5).asSInt - (eye >> c.eyeBits - 4).resize(c.blockBits + 5)
+      node(AWAY)(k)   := (block @@ t).resize(c.blockBits + 5).asSInt - from
     }
     val sum  = ray.fast.resize(3) + node(HIT).entry
     val side = Mux(sum >= 3, sum - 3, sum).resize(2)

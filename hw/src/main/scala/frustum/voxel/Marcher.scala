@@ -77,9 +77,8 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
   }
 
   val look = new Area {
-    val block = line(2)(BLOCK)
-    val xyz   = for (k <- 0 to 2)
-      yield line(2)(RAY).fast.mux(0 -> block(k), 1 -> block((k + 2) % 3), default -> block((k + 1) % 3))
+    val block  = line(2)(BLOCK)
+    val xyz    = for (k <- 0 to 2) yield RayAxes.xyz(line(2)(RAY).fast, block, k)
     val beyond = Vec((0 to 2).map(k => !xyz(k).msb && (xyz(k) >> c.size.logs(k)) =/= 0))
     line(2)(INSIDE)   := !xyz.map(_.msb).reduce(_ || _)
     line(2)(OUT)      := beyond.asBits.orR || block(0).resize(c.endBits) > line(2)(END)
@@ -127,13 +126,13 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
     for (k <- 0 to 2) io.hits.block(k) := node(BLOCK)(k).asUInt.resized
   }
 
+  /** What slopes, added up, move a position by. */
+  private def move(slopes: UInt): SInt = (slopes ## B(0, c.eyeBits bits)).asUInt.resize(whole + shift).asSInt
+
   val far = new Area {
     val node = line(5)
     for (i <- 0 to 1) {
-      node(FAR)(i) := node(PLACE).at(i) + (node(RUN)(i) ## B(
-        0,
-        c.eyeBits bits
-      )).asUInt.resize(whole + shift).asSInt
+      node(FAR)(i)   := node(PLACE).at(i) + move(node(RUN)(i))
       node(CROSS)(i) := node(TO)(i) * node(RAY).slopes(1 - i)
     }
   }
@@ -143,12 +142,9 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
     val crosses = Vec(Bool(), 2)
     val fits    = Vec(Bool(), 2)
     for (i <- 0 to 1) {
-      node(BACK)(i) := node(FAR)(i) - (node(RAY).slopes(i) ## B(
-        0,
-        c.eyeBits bits
-      )).asUInt.resize(whole + shift).asSInt
-      fits(i)    := floor(node(FAR)(i)) - node(BLOCK)(i + 1) < node(REACH).resize(whole).asSInt
-      crosses(i) := !node(PLACE).past(i) && floor(node(FAR)(i)) =/= floor(node(PLACE).at(i))
+      node(BACK)(i) := node(FAR)(i) - move(node(RAY).slopes(i))
+      fits(i)       := floor(node(FAR)(i)) - node(BLOCK)(i + 1) < node(REACH).resize(whole).asSInt
+      crosses(i)    := !node(PLACE).past(i) && floor(node(FAR)(i)) =/= floor(node(PLACE).at(i))
     }
     val before = Mux(node(RAY).fast =/= 1, node(CROSS)(0) <= node(CROSS)(1), node(CROSS)(0) < node(CROSS)(1))
     node(FITS)  := fits.asBits.andR

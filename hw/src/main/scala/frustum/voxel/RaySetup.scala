@@ -53,21 +53,12 @@ case class RaySetup(c: VoxelConfig, tech: Tech) extends Component {
     line(1)(FAST) := Mux(m(1) > m(0), Mux(m(2) > m(1), U(2), U(1)), Mux(m(2) > m(0), U(2), U(0)))
   }
 
-  /** The k-th of three in the order of a ray: its fast axis, then the two others. */
-  private def inOrder[T <: Data](fast: UInt, xyz: Seq[T], k: Int): T =
-    fast.mux(0 -> xyz(k), 1 -> xyz((k + 1) % 3), default -> xyz((k + 2) % 3))
-
   val ordered = new Area {
     val fast = line(2)(FAST)
-    val eye  = for (k <- 0 to 2)
-      yield Mux(
-        line(2)(MIRRORED)(k),
-        S(c.size.axes(k) << c.eyeBits, c.blockBits + c.eyeBits bits) - io.eye(k),
-        io.eye(k)
-      )
-    line(2)(MAJOR)                      := inOrder(fast, line(2)(MAGNITUDE).toSeq, 0)
-    for (i <- 0 to 1) line(2)(MINOR)(i) := inOrder(fast, line(2)(MAGNITUDE).toSeq, i + 1)
-    for (k <- 0 to 2) line(2)(FROM)(k)  := inOrder(fast, eye, k)
+    val eye  = for (k <- 0 to 2) yield RayAxes.mirroredEye(c, line(2)(MIRRORED), io.eye, k)
+    line(2)(MAJOR)                      := RayAxes.ordered(fast, line(2)(MAGNITUDE), 0)
+    for (i <- 0 to 1) line(2)(MINOR)(i) := RayAxes.ordered(fast, line(2)(MAGNITUDE), i + 1)
+    for (k <- 0 to 2) line(2)(FROM)(k)  := RayAxes.ordered(fast, eye, k)
   }
 
   val normalise = new Area {

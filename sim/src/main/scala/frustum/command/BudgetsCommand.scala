@@ -1,6 +1,6 @@
 package frustum.command
 
-import frustum.{BuildInfo, OutputFile}
+import frustum.{BuildInfo, InfinityAsNull, OutputFile}
 import frustum.lab.{Budget, BudgetMeasures, BudgetTable}
 import scopt.OParser
 import java.nio.file.{Path, Paths}
@@ -58,9 +58,8 @@ object BudgetsCommand extends CommandLine {
   }
 
   private def write(out: Path, rows: Seq[Budget], failures: Seq[String]): Unit = {
-    def text(v: Double)              = if (v.isInfinite) "equal" else BigDecimal(v).toString
-    def json(v: Double): ujson.Value = if (v.isInfinite) ujson.Null else ujson.Num(v)
-    val csv                          = "scene,metric,bound,today,met" +: rows.map(b =>
+    def text(v: Double) = if (v.isInfinite) "equal" else BigDecimal(v).toString
+    val csv             = "scene,metric,bound,today,met" +: rows.map(b =>
       Seq(b.scene, b.metric, text(b.bound), text(b.today), b.met.toString).mkString(",")
     )
     val report = ujson.Obj(
@@ -74,8 +73,8 @@ object BudgetsCommand extends CommandLine {
         ujson.Obj(
           "scene"  -> b.scene,
           "metric" -> b.metric,
-          "bound"  -> json(b.bound),
-          "today"  -> json(b.today),
+          "bound"  -> InfinityAsNull.write(b.bound),
+          "today"  -> InfinityAsNull.write(b.today),
           "met"    -> b.met
         )
       )

@@ -4,8 +4,7 @@ import frustum.{BuildInfo, InputError, OutputFile}
 import frustum.boards.flow.MissingTool
 import frustum.lab.{Chart, ChartFamily, UnitCosts}
 import scopt.OParser
-import java.nio.file.{Files, Path, Paths}
-import java.util.Base64
+import java.nio.file.{Path, Paths}
 
 /** Arguments of `chart`. */
 final case class ChartOptions(
@@ -63,8 +62,8 @@ object ChartCommand extends CommandLine {
   }
 
   private def figure(out: Path, c: Chart): String = {
-    val data = Base64.getEncoder.encodeToString(Files.readAllBytes(out.resolve(s"${c.name}.png")))
-    s"""<figure><img alt="${c.title}" src="data:image/png;base64,$data"><figcaption>${c.note} Data: ${c.name}.csv.</figcaption></figure>"""
+    val data = Page.source(out.resolve(s"${c.name}.png"))
+    s"""<figure><img alt="${c.title}" src="$data"><figcaption>${c.note} Data: ${c.name}.csv.</figcaption></figure>"""
   }
 
   private def json(charts: Seq[Chart]) = ujson.Obj(

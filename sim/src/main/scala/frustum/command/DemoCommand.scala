@@ -1,11 +1,8 @@
 package frustum.command
 
 import frustum.engine.{EngineOptions, Engines, VoxelRun}
-import frustum.host.DrawOptions
-import frustum.judge.FrameVerdict
-import frustum.picture.Picture
 import frustum.scene.Scenes
-import frustum.spec.{RasterConfig, Wrap}
+import frustum.spec.RasterConfig
 import frustum.OutputFile
 import scopt.OParser
 import java.nio.file.{Path, Paths}
@@ -48,10 +45,11 @@ object DemoCommand extends CommandLine {
     val config = RasterConfig()
     val shown  = for (sceneName <- Scenes.names) yield {
       val scene   = Scenes.byName(sceneName)
-      val options = DrawOptions(None, cullBack = false, Wrap.Repeat, scene.background)
-      val run     = SceneRun(scene, scene.camera, options, config, 1, 0, entry, EngineOptions(o.seed, None))
-      val figures = run.figures((_, verdict) => writePictures(o.out, sceneName, config, verdict))
-      val report  = RenderReport.json(name, o.seed, figures)
+      val run     = SceneRun.still(scene, config, entry, EngineOptions(o.seed, None))
+      val figures = run.figures((_, v) =>
+        DemoPictures.write(o.out, sceneName, config.width, config.height, v.picture, v.reference)
+      )
+      val report = RenderReport.json(name, o.seed, figures)
       OutputFile.writeText(o.out.resolve(s"$sceneName.json"), ujson.write(report, indent = 2) + "\n")
       (figures, report)
     }
@@ -65,13 +63,4 @@ object DemoCommand extends CommandLine {
     println(s"wrote ${o.out.resolve("index.html")}")
     (shown.map { case (f, _) => f.verdict(o.out.resolve(s"${f.scene}.json")) } ++ others.map(_._2)).max
   }
-
-  private def writePictures(out: Path, scene: String, config: RasterConfig, v: FrameVerdict): Unit =
-    for (
-      (kind, picture) <- Seq(
-        ""            -> v.picture,
-        ".reference"  -> v.reference,
-        ".difference" -> Picture.difference(v.picture, v.reference)
-      )
-    ) Picture.writePng(out.resolve(s"$scene$kind.png"), config.width, config.height, picture)
 }

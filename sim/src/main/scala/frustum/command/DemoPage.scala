@@ -1,7 +1,6 @@
 package frustum.command
 
-import java.nio.file.{Files, Path}
-import java.util.Base64
+import java.nio.file.Path
 
 /** The page of `demo`: one file with its pictures inside, so that it can be sent and kept. */
 object DemoPage {
@@ -44,8 +43,8 @@ object DemoPage {
     val size     = s"""width="${report("width").num.toInt}" height="${report("height").num.toInt}""""
     val pictures = Seq("" -> "picture", ".reference" -> "reference", ".difference" -> "difference").map {
       case (kind, caption) =>
-        val data = Base64.getEncoder.encodeToString(Files.readAllBytes(folder.resolve(s"$scene$kind.png")))
-        val image = s"""<img $size alt="$scene: $caption" src="data:image/png;base64,$data">"""
+        val data  = Page.source(folder.resolve(s"$scene$kind.png"))
+        val image = s"""<img $size alt="$scene: $caption" src="$data">"""
         s"<figure>$image<figcaption>$caption</figcaption></figure>"
     }
     val figures =

@@ -1,7 +1,15 @@
 package frustum.command
 
+import java.nio.file.{Files, Path}
+import java.util.Base64
+
 /** A page of a report of the laboratory. */
 object Page {
+
+  /** A PNG file as the source of an image within the page, so that the page can be sent and kept alone. */
+  def source(png: Path): String =
+    s"data:image/png;base64,${Base64.getEncoder.encodeToString(Files.readAllBytes(png))}"
+
   def apply(title: String, body: String): String =
     s"""<!doctype html>
        |<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">

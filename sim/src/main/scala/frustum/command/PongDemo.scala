@@ -15,16 +15,13 @@ object PongDemo {
   def apply(out: Path, seed: Long): (ujson.Obj, Int) = {
     val config = PongScenes.config(VideoMode.Vga640x480, None)
     import config.mode.{height, width}
-    def write(name: String, rgb: Array[Int]): Unit = Picture.writePng(out.resolve(name), width, height, rgb)
     val recording = PongRecording(config, AutoPlayer(_), seed, Frames, out.resolve("pong.gif")) {
       (frame, picture) =>
         if (frame.index == Frames - 1) {
           // The reference too in the format of the pins and under the score: what differs then is what was drawn wrongly.
           val exact     = PongJudge.reference(config, frame.game.motion)
           val reference = Picture.ofFormat(new PongModel(config).atPins(exact(_), frame.game), config.format)
-          write("pong.png", picture)
-          write("pong.reference.png", reference)
-          write("pong.difference.png", Picture.difference(picture, reference))
+          DemoPictures.write(out, "pong", width, height, picture, reference)
         }
     }
     val report = PongReport.json("demo", seed, config, recording)

@@ -1,6 +1,6 @@
 package frustum.command
 
-import frustum.{BuildInfo, OutputFile}
+import frustum.{BuildInfo, InfinityAsNull, OutputFile}
 import frustum.pipelines.PongPipelineConfig
 import java.nio.file.Path
 
@@ -29,7 +29,7 @@ object PongReport {
       "checkerCellsWrong"     -> f.checkerCellsWrong.toDouble,
       "maxColourError"        -> f.maxColourError,
       "colourErrorsOver1"     -> f.colourErrorsOver1.toDouble,
-      "psnr"                  -> f.psnr.fold[ujson.Value](ujson.Null)(ujson.Num(_)),
+      "psnr"                  -> InfinityAsNull.write(f.psnr),
       "score"                 -> m.score,
       "win"                   -> m.win,
       "hardwareVsModel"       -> ujson.Obj("pixelsDifferent" -> recording.figures.pixelsDifferent.toDouble),

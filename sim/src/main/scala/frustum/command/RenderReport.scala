@@ -1,6 +1,6 @@
 package frustum.command
 
-import frustum.BuildInfo
+import frustum.{BuildInfo, InfinityAsNull}
 import frustum.boards.Tops
 import java.nio.file.{Files, Path, Paths}
 import scala.util.Try
@@ -54,20 +54,17 @@ object RenderReport {
         "maxTexelError"            -> m.texels.maxError,
         "primitiveWrong"           -> m.depth.primitiveWrong.toDouble,
         "depthOrderWrong"          -> m.depth.depthOrderWrong.toDouble,
-        "psnr"                     -> orNull(f.psnr)
+        "psnr"                     -> InfinityAsNull.write(f.psnr)
       )
     }
     report("endToEnd") = ujson.Obj(
       "coverageWrong" -> f.endToEnd.coverageWrong.toDouble,
       "texelsWrong"   -> f.endToEnd.texelsWrong.toDouble,
-      "psnr"          -> orNull(f.endToEndPsnr),
+      "psnr"          -> InfinityAsNull.write(f.endToEndPsnr),
       "flip"          -> f.flip
     )
     report
   }
-
-  /** An infinite figure is null. */
-  private def orNull(v: Option[Double]): ujson.Value = v.fold[ujson.Value](ujson.Null)(ujson.Num(_))
 }
 
 /** The clock that frame rates are reckoned with, and where it comes from: "placed" or "target". */

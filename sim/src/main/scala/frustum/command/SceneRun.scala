@@ -4,7 +4,7 @@ import frustum.engine.{EngineEntry, EngineOptions, Engines}
 import frustum.host.{DrawOptions, Driver, PreparedFrame}
 import frustum.judge.{FrameJudge, FrameVerdict}
 import frustum.scene.{Camera, Scene}
-import frustum.spec.RasterConfig
+import frustum.spec.{RasterConfig, Wrap}
 
 /** A scene on its way through driver, engine and judges.
   *
@@ -55,4 +55,20 @@ final case class SceneRun(
       finally progress.close()
     SceneFigures(scene.name, entry.name, config, verdicts, seconds)
   }
+}
+
+object SceneRun {
+
+  /** One frame from the scene's own camera, as it is without arguments. */
+  def still(scene: Scene, config: RasterConfig, entry: EngineEntry, engineOptions: EngineOptions): SceneRun =
+    SceneRun(
+      scene,
+      scene.camera,
+      DrawOptions(None, cullBack = false, Wrap.Repeat, scene.background),
+      config,
+      frames = 1,
+      turnDegrees = 0,
+      entry,
+      engineOptions
+    )
 }

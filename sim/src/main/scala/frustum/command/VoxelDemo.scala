@@ -1,7 +1,6 @@
 package frustum.command
 
 import frustum.engine.{VoxelDrawn, VoxelRun}
-import frustum.picture.Picture
 import org.joml.Vector3d
 import java.nio.file.Path
 
@@ -23,13 +22,7 @@ object VoxelDemo {
     var drawn = Option.empty[VoxelDrawn]
     new VoxelRun(scene.config, scene.assets, scene.world, engine, highlight = false, o.seed)
       .draw(scene.views)(view => drawn = Some(view))
-    for (
-      (kind, picture) <- Seq(
-        ""            -> drawn.get.picture,
-        ".reference"  -> drawn.get.reference,
-        ".difference" -> Picture.difference(drawn.get.picture, drawn.get.reference)
-      )
-    ) Picture.writePng(out.resolve(s"voxel$kind.png"), width, height, picture)
+    DemoPictures.write(out, "voxel", width, height, drawn.get.picture, drawn.get.reference)
     val report = VoxelReport.json("demo", o.seed, engine, scene.config, drawn.toSeq)
     (report, VoxelReport.write(out.resolve("voxel.json"), report, drawn.toSeq))
   }

@@ -1,7 +1,7 @@
 package frustum.command
 
 import frustum.engine.VoxelRun
-import frustum.spec.VoxelConfig
+import frustum.spec.{LeapField, VoxelConfig}
 import org.joml.Vector3d
 import scopt.{OParser, Read}
 import java.nio.file.{Path, Paths}
@@ -31,12 +31,11 @@ final case class VoxelOptions(
 }
 
 object VoxelOptions {
-  import frustum.spec.LeapField
   val leaps: Seq[(String, LeapField)] = Seq(
     "octants"   -> LeapField.Octants,
     "up-down"   -> LeapField.UpDown,
-    "chebyshev" -> LeapField(0, 3),
-    "none"      -> LeapField(0, 0)
+    "chebyshev" -> LeapField.Chebyshev,
+    "none"      -> LeapField.Plain
   )
 
   private val worldSize: Read[(Int, Int, Int)] = Read.reads { text =>

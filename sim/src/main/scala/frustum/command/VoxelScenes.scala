@@ -56,9 +56,8 @@ object VoxelScenes {
 
   /** Eyes of a person in the middle of the world, on its highest block there. */
   private def standing(world: VoxelWorld): Vector3d = {
-    val (x, y)  = (world.size.x / 2, world.size.y / 2)
-    val surface = (world.size.z - 1 to 0 by -1).find(z => world(x, y, z) != 0).getOrElse(0)
-    new Vector3d(x + 0.5, y + 0.5, surface + 2.6)
+    val (x, y) = (world.size.x / 2, world.size.y / 2)
+    new Vector3d(x + 0.5, y + 0.5, world.surface(x, y) + 2.6)
   }
 
   private def poses(file: String, text: String, focal: Double): Seq[VoxelView] = {

@@ -31,5 +31,5 @@ case class VoxelConsoleTestbed(
     monitor.io.pins.color  := video.red ## video.green ## video.blue
   }
   def monitor: SimVideoMonitor = slow.monitor
-  console.pipeline.memory.words.get.simPublic()
+  console.pipeline.memory.words.simPublic()
 }

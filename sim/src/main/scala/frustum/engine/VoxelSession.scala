@@ -1,6 +1,5 @@
 package frustum.engine
 
-import frustum.model.pipelines.SeenFace
 import frustum.spec.{IntVector, VoxelAssets, VoxelCamera, VoxelConfig}
 import frustum.voxel.Direction
 import spinal.core.sim._
@@ -19,7 +18,7 @@ final class VoxelSession(dut: VoxelTestbed) {
 
   /** Puts the words of a world into its memory, by the simulator's back door. */
   def load(words: Array[Int]): Unit =
-    for (i <- words.indices) dut.pipeline.memory.words.get.setBigInt(i.toLong, BigInt(words(i)))
+    for (i <- words.indices) dut.pipeline.memory.words.setBigInt(i.toLong, BigInt(words(i)))
 
   def frame(camera: VoxelCamera, highlight: Boolean): VoxelFrame = {
     def put(port: Direction, v: IntVector): Unit = for (k <- 0 to 2) port.axes(k) #= v(k)
@@ -62,7 +61,7 @@ object VoxelSession {
     EngineSim.compile(s"Voxel_${c.size}_${c.width}x${c.height}_${(c, assets).hashCode.toHexString}") {
       val dut = VoxelTestbed(c, assets)
       dut.picture.simPublic()
-      dut.pipeline.memory.words.get.simPublic()
+      dut.pipeline.memory.words.simPublic()
       dut
     }
 }

@@ -43,11 +43,11 @@ final case class VoxelCounts(
 final class VoxelJudge(model: VoxelModel) {
   import model.{assets, config, world}
   private val plain =
-    new Marcher(config.copy(leaps = VoxelJudge.Plain), assets.table, LeapWords(world, VoxelJudge.Plain))
+    new Marcher(config.copy(leaps = LeapField.Plain), assets.table, LeapWords(world, LeapField.Plain))
 
   def ray(camera: VoxelCamera, pixel: VoxelPixel): VoxelCounts = {
-    val direction  = VoxelJudge.direction(pixel.ray, config.slopeBits)
-    val (exact, _) =
+    val direction = VoxelJudge.direction(pixel.ray, config.slopeBits)
+    val exact     =
       new ExactMarch(config, assets.table, world, camera.eye.axes, direction, pixel.ray.mirrored).march()
     def differs(same: (Int, Int) => Boolean) =
       exact.length != pixel.seen.length || !exact.indices.forall(i => same(i, i))
@@ -70,9 +70,6 @@ final class VoxelJudge(model: VoxelModel) {
 }
 
 object VoxelJudge {
-
-  /** No leaps at all. */
-  val Plain = LeapField(mask = 0, bits = 0)
 
   /** The direction that a ray really has. */
   def direction(ray: RayStart, slopeBits: Int): Seq[Long] = {

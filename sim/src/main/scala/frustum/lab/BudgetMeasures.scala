@@ -1,14 +1,14 @@
 package frustum.lab
 
+import frustum.InfinityAsNull
 import frustum.command.{PongScenes, RenderReport, SceneRun, VoxelOptions, VoxelReport, VoxelScenes}
 import frustum.engine.{EngineOptions, Engines, VoxelDrawn, VoxelRun}
 import frustum.game.AutoPlayer
-import frustum.host.DrawOptions
 import frustum.judge.{RayCounts, RayJudge}
 import frustum.model.game.PongGame
 import frustum.model.ray.RayPicture
 import frustum.scene.Scenes
-import frustum.spec.{RasterConfig, VideoMode, Wrap}
+import frustum.spec.{RasterConfig, VideoMode}
 
 /** The figures of every scene, from the bit-exact models; hardware equals them, or other tests fail. */
 object BudgetMeasures {
@@ -36,22 +36,11 @@ object BudgetMeasures {
   )
 
   private def raster(name: String): Seq[Measured] = {
-    val scene   = Scenes.byName(name)
-    val options = DrawOptions(None, cullBack = false, Wrap.Repeat, scene.background)
-    val run     =
-      SceneRun(
-        scene,
-        scene.camera,
-        options,
-        RasterConfig(),
-        1,
-        0,
-        Engines.byName("model"),
-        EngineOptions(1, None)
-      )
+    val run =
+      SceneRun.still(Scenes.byName(name), RasterConfig(), Engines.byName("model"), EngineOptions(1, None))
     val report = RenderReport.json("budgets", 1, run.figures((_, _) => ()))
     for ((group, metrics) <- rasterMetrics; metric <- metrics)
-      yield Measured(name, s"$group.$metric", number(report(group)(metric)))
+      yield Measured(name, s"$group.$metric", InfinityAsNull.read(report(group)(metric)))
   }
 
   private def voxel(): Seq[Measured] = {
@@ -68,7 +57,7 @@ object BudgetMeasures {
     ).draw(scene.views)(drawn :+= _)
     val report = VoxelReport.json("budgets", o.seed, o.engine, scene.config, drawn)
     Seq("blocksWrong", "facesWrong", "texelsWrong", "maxDirectionErrorPixels", "steps", "psnr")
-      .map(metric => Measured("voxel", metric, number(report(metric))))
+      .map(metric => Measured("voxel", metric, InfinityAsNull.read(report(metric))))
   }
 
   /** States of a game that plays itself, far apart. */
@@ -94,6 +83,4 @@ object BudgetMeasures {
   }
   private val PongTicks  = 37
   private val PongStates = 4
-
-  private def number(v: ujson.Value) = if (v.isNull) Double.PositiveInfinity else v.num
 }

@@ -1,6 +1,6 @@
 package frustum.lab
 
-import frustum.{InputError, InputFile, OutputFile}
+import frustum.{InfinityAsNull, InputError, InputFile, OutputFile}
 import java.nio.file.Path
 import scala.util.control.NonFatal
 
@@ -24,22 +24,28 @@ final case class BudgetTable(rows: Seq[Budget]) {
     val scenes = rows.map(_.scene).distinct.map { scene =>
       val own = rows.filter(_.scene == scene)
       scene -> ujson.Obj.from(own.map(b =>
-        b.metric -> ujson.Obj("bound" -> json(b.bound), "today" -> json(b.today))
+        b.metric -> ujson.Obj(
+          "bound" -> InfinityAsNull.write(b.bound),
+          "today" -> InfinityAsNull.write(b.today)
+        )
       ))
     }
     OutputFile.writeText(file, ujson.write(ujson.Obj.from(scenes), indent = 2) + "\n")
   }
-  private def json(v: Double): ujson.Value = if (v.isInfinite) ujson.Null else ujson.Num(v)
 }
 
 object BudgetTable {
   def read(file: Path): BudgetTable = {
-    def number(v: ujson.Value) = if (v.isNull) Double.PositiveInfinity else v.num
     try BudgetTable(
         for {
           (scene, metrics)  <- ujson.read(InputFile.text(file, "give the table of the tree")).obj.toSeq
           (metric, figures) <- metrics.obj.toSeq
-        } yield Budget(scene, metric, number(figures("bound")), number(figures("today")))
+        } yield Budget(
+          scene,
+          metric,
+          InfinityAsNull.read(figures("bound")),
+          InfinityAsNull.read(figures("today"))
+        )
       )
     catch {
       case e: InputError => throw e

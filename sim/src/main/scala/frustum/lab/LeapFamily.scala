@@ -24,8 +24,7 @@ object LeapFamily extends ChartFamily {
       march = new Marcher(c, Blocks.table, LeapWords(world, field))
       yaw <- 0 until 360 by 45
       x      = 20 + yaw % 24
-      ground = (world.size.z - 1 to 0 by -1).find(z => world(x, 32, z) != 0).getOrElse(0)
-      camera = VoxelView(new Vector3d(x + 0.4, 32.6, ground + 2.6), yaw + 10, -8, 45).camera(c)
+      camera = VoxelView(new Vector3d(x + 0.4, 32.6, world.surface(x, 32) + 2.6), yaw + 10, -8, 45).camera(c)
       j <- 0 until c.height
       i <- 0 until c.width
     } yield march.march(RaySetup(camera.eye.axes, camera.direction(i, j), c))(_ => ())
@@ -33,7 +32,7 @@ object LeapFamily extends ChartFamily {
   }
 
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
-    val plain  = ChartPoint("a block a step", "0 bits", LeapField(0, 0).wordBits, steps(LeapField(0, 0)))
+    val plain  = ChartPoint("a block a step", "0 bits", LeapField.Plain.wordBits, steps(LeapField.Plain))
     val points =
       for ((method, mask) <- groups; bits <- 1 to 4 if bits << Integer.bitCount(mask) <= 24) yield {
         val field = LeapField(mask, bits)

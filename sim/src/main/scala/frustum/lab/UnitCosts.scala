@@ -1,7 +1,7 @@
 package frustum.lab
 
 import frustum.OutputFile
-import frustum.boards.flow.{Ice40Tools, Yosys}
+import frustum.boards.flow.{Ice40Flow, Ice40Tools, Yosys}
 import spinal.core._
 import java.nio.file.{Files, Path}
 import java.security.MessageDigest
@@ -36,7 +36,7 @@ final class UnitCosts(say: String => Unit) {
     val kept    = cache.resolve(s"$digest.json")
     if (!Files.exists(kept)) {
       say(s"synthesising $name")
-      Yosys.synthesise(tools.yosys, work, "unit", "synth_ice40 -abc9 -no-rw-check -top unit")
+      Yosys.synthesise(tools.yosys, work, "unit", s"${Ice40Flow.Synthesis} -top unit")
       val cells =
         ujson.read(Files.readString(work.resolve("unit.netlist.json")))("modules")("unit")("cells").obj.values
           .map(_("type").str).groupBy(identity).view.mapValues(_.size).toMap

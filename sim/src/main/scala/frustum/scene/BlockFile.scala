@@ -1,11 +1,9 @@
 package frustum.scene
 
-import frustum.{InputError, InputFile}
+import frustum.{InputError, JsonFile}
 import frustum.spec.{BlockArt, BlockTable, BlockType, VoxelAssets, VoxelTextures}
-import java.nio.file.{Files, Path}
-import javax.imageio.ImageIO
+import java.nio.file.Path
 import scala.collection.mutable
-import scala.util.control.NonFatal
 
 /** A table of blocks as JSON: a list, the first with id 1, of
   * `{"name": "grass", "top": "grass", "bottom": "dirt", "side": "grass side", "opaque": true, "selectable": true, "joins": false}`.
@@ -17,13 +15,7 @@ object BlockFile {
 
   def read(file: Path): VoxelAssets = {
     def refuse(what: String): Nothing = throw InputError(s"$file: $what")
-    val root                          =
-      try ujson.read(InputFile.text(file, "give a JSON file in UTF-8"))
-      catch {
-        case e: InputError => throw e
-        case NonFatal(e)   =>
-          refuse(s"is not JSON: ${e.getMessage.linesIterator.next()}; write a list of blocks [{...}]")
-      }
+    val root                          = JsonFile.read(file, "docs/voxel.md")
     val textures = mutable.LinkedHashMap.empty[String, (IndexedSeq[Int], IndexedSeq[Int])]
 
     def block(v: ujson.Value, i: Int): BlockType = {
@@ -64,22 +56,17 @@ object BlockFile {
       }
 
     def picture(png: Path, where: String): (IndexedSeq[Int], IndexedSeq[Int]) = {
-      if (!Files.isRegularFile(png)) refuse(s"$where: $png: there is no such picture; check the name")
+      val side  = VoxelTextures.Side
       val image =
-        try Option(
-            ImageIO.read(png.toFile)
-          ).getOrElse(refuse(s"$where: $png: is not a picture in a known format; save it as PNG"))
-        catch {
-          case e: java.io.IOException =>
-            refuse(s"$where: $png: is damaged (${e.getMessage}); save it again as PNG")
-        }
-      val side = VoxelTextures.Side
-      if (image.getWidth != side || image.getHeight != side)
-        refuse(
-          s"$where: $png: is ${image.getWidth} x ${image.getHeight}; a texture is $side x $side: scale it"
-        )
-      val texels = for (v <- 0 until side; u <- 0 until side) yield {
-        val argb          = image.getRGB(u, v)
+        try TextureFile.read(
+            png,
+            fault = (width, height) =>
+              Option.unless(width == side && height == side)(
+                s"is $width x $height texels; a block's has $side x $side: scale the picture"
+              )
+          )
+        catch { case InputError(message) => refuse(s"$where: $message") }
+      val texels = image.argb.map { argb =>
         def four(at: Int) = ((argb >> at & 255) * 15 + 127) / 255
         four(16) << 12 | four(8) << 8 | four(0) << 4 | four(24)
       }

@@ -1,9 +1,8 @@
 package frustum.scene
 
-import frustum.{InputError, InputFile}
+import frustum.{InputError, JsonFile}
 import frustum.spec._
 import java.nio.file.Path
-import scala.util.control.NonFatal
 
 /** A ray-cast scene as JSON. Every key may be left out and is then that of `base`:
   *
@@ -20,25 +19,13 @@ object RaySceneFile {
 
   /** @param width,height of the picture, for the camera */
   def read(file: Path, base: RayScene, width: Int, height: Int): RayScene = {
-    val text = InputFile.text(file, "give a JSON file in UTF-8")
-    val root =
-      try ujson.read(text)
-      catch {
-        case e: ujson.ParseException =>
-          throw InputError(
-            s"$file:${line(text, e.index)}: is not JSON: ${e.clue}; see docs/pong.md for the form"
-          )
-        case NonFatal(_) =>
-          throw InputError(s"$file:${line(text, text.length)}: is not JSON: it ends too early")
-      }
+    val root = JsonFile.read(file, "docs/pong.md")
     try new Reader(file).scene(root, base, width, height)
     catch {
       case e: IllegalArgumentException =>
         throw InputError(s"$file: ${e.getMessage.stripPrefix("requirement failed: ")}")
     }
   }
-
-  private def line(text: String, index: Int) = text.take(index).count(_ == '\n') + 1
 
   private class Reader(file: Path) {
     private def refuse(path: String, what: String): Nothing = throw InputError(s"$file: $path: $what")

@@ -10,8 +10,14 @@ object TextureFile {
 
   /** InputError naming the file, and `namedBy` where another file refers to it, when it is missing, damaged,
     * or not of a size the hardware takes.
+    *
+    * @param fault what is wrong with a width and a height, if anything
     */
-  def read(file: Path, namedBy: Option[SourceLine] = None): TextureImage = {
+  def read(
+      file: Path,
+      namedBy: Option[SourceLine] = None,
+      fault: (Int, Int) => Option[String] = TextureImage.fault
+  ): TextureImage = {
     def refuse(what: String): Nothing =
       namedBy.fold[Nothing](throw InputError(s"$file: $what"))(_.error(s"$file: $what"))
     if (!Files.isRegularFile(file)) refuse("there is no such picture; check the name")
@@ -23,11 +29,9 @@ object TextureFile {
         val reader = readers.next
         reader.setInput(stream)
         // before decoding: a wrong size may be a huge one
-        TextureImage
-          .fault(reader.getWidth(0), reader.getHeight(0))
-          .foreach(fault => refuse(s"the texture $fault"))
+        fault(reader.getWidth(0), reader.getHeight(0)).foreach(fault => refuse(s"the texture $fault"))
         val picture = reader.read(0)
-        val argb = picture.getRGB(0, 0, picture.getWidth, picture.getHeight, null, 0, picture.getWidth)
+        val argb    = picture.getRGB(0, 0, picture.getWidth, picture.getHeight, null, 0, picture.getWidth)
         TextureImage(picture.getWidth, picture.getHeight, argb.toIndexedSeq, argb.exists(_ >>> 24 != 255))
       } finally stream.close()
     } catch {

@@ -1,9 +1,8 @@
 package frustum.scene
 
-import frustum.InputError
+import frustum.{InputError, InputFile}
 import frustum.spec.{VoxelAssets, WorldSize}
-import java.io.IOException
-import java.nio.file.{Files, NoSuchFileException, Path}
+import java.nio.file.Path
 import java.nio.{ByteBuffer, ByteOrder}
 
 /** Reads MagicaVoxel's .vox (format 150 and 200, github.com/ephtracy/voxel-model): one model of up to 256 blocks a side, z up,
@@ -14,12 +13,7 @@ object VoxFile {
 
   def read(file: Path, size: WorldSize, assets: VoxelAssets): VoxelWorld = {
     def refuse(what: String): Nothing = throw InputError(s"$file: $what")
-    val bytes                         =
-      try ByteBuffer.wrap(Files.readAllBytes(file)).order(ByteOrder.LITTLE_ENDIAN)
-      catch {
-        case _: NoSuchFileException => refuse("there is no such file; check the name")
-        case e: IOException         => refuse(s"cannot be read (${e.getClass.getSimpleName}); check the file")
-      }
+    val bytes = ByteBuffer.wrap(InputFile.bytes(file, "check the file")).order(ByteOrder.LITTLE_ENDIAN)
     def need(at: Int, n: Long, what: String): Unit =
       if (n < 0 || at + n > bytes.limit)
         refuse(s"byte $at: $what ends beyond the file's ${bytes.limit} bytes; save it again")

@@ -1,9 +1,8 @@
 package frustum.scene
 
-import frustum.InputError
+import frustum.{InputError, InputFile}
 import frustum.spec.{Blocks, WorldSize}
-import java.io.IOException
-import java.nio.file.{Files, NoSuchFileException, Path}
+import java.nio.file.Path
 
 /** Blocks of a world: their ids at x * sizeY * sizeZ + y * sizeZ + z, 0 is air. */
 final case class VoxelWorld(size: WorldSize, ids: IndexedSeq[Byte]) {
@@ -11,6 +10,9 @@ final case class VoxelWorld(size: WorldSize, ids: IndexedSeq[Byte]) {
 
   /** Outside the world there is air. */
   def apply(x: Int, y: Int, z: Int): Int = if (size.contains(x, y, z)) ids(size.address(x, y, z)).toInt else 0
+
+  /** Height of the highest block of a column; 0 where there is none. */
+  def surface(x: Int, y: Int): Int = (size.z - 1 to 0 by -1).find(z => this(x, y, z) != 0).getOrElse(0)
 
   def updated(x: Int, y: Int, z: Int, id: Int): VoxelWorld =
     copy(ids = ids.updated(size.address(x, y, z), id.toByte))
@@ -31,13 +33,7 @@ object VoxelWorld {
     * @param most the highest id that means something
     */
   def readRaw(file: Path, size: WorldSize, most: Int): VoxelWorld = {
-    val bytes =
-      try Files.readAllBytes(file)
-      catch {
-        case _: NoSuchFileException => throw InputError(s"$file: there is no such file; check the name")
-        case e: IOException         =>
-          throw InputError(s"$file: cannot be read (${e.getClass.getSimpleName}); check the file")
-      }
+    val bytes = InputFile.bytes(file, "check the file")
     if (bytes.length != size.blocks) throw InputError(
       s"$file: has ${bytes.length} bytes, a world of $size has ${size.blocks}; give its size with --world-size"
     )

@@ -44,7 +44,7 @@ class VoxelConsoleTest extends AnyFunSuite {
   private final class Session(dut: VoxelConsoleTestbed, world: VoxelWorld) {
     dut.clockDomain.forkStimulus(EngineSim.Period)
     for ((word, i) <- LeapWords(world, c.leaps).zipWithIndex)
-      dut.console.pipeline.memory.words.get.setBigInt(i.toLong, BigInt(word))
+      dut.console.pipeline.memory.words.setBigInt(i.toLong, BigInt(word))
     dut.io.uart #= true
     dut.clockDomain.waitSampling(10)
     val reader = new SimVideoReader(dut.monitor)

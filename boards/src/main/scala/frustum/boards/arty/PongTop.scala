@@ -3,7 +3,6 @@ package frustum.boards.arty
 import frustum.blackbox.{Artix7ClockDivider, Tech}
 import frustum.pipelines.{PongPipeline, PongPipelineConfig}
 import spinal.core._
-import spinal.lib.ResetCtrl
 
 /** `arty-pong`: four buttons, 3-D pong, a VGA PMOD. The pixel clock is a quarter of the oscillator's 100 MHz. */
 case class PongTop(config: PongPipelineConfig, tech: Tech) extends Component {
@@ -13,13 +12,7 @@ case class PongTop(config: PongPipelineConfig, tech: Tech) extends Component {
   val clocking = new Area {
     val divider = Artix7ClockDivider(tech)
     divider.io.clockIn := io.clk
-    private val unreset = ClockDomain(divider.io.clockOut, config = ClockDomainConfig(resetKind = BOOT))
-    val domain          = ClockDomain(
-      clock = divider.io.clockOut,
-      reset =
-        ResetCtrl.asyncAssertSyncDeassert(!io.resetn, unreset, inputPolarity = HIGH, outputPolarity = HIGH),
-      frequency = ClockDomain.FixedFrequency(25 MHz)
-    )
+    val domain = ArtyDomain(divider.io.clockOut, io.resetn, 25 MHz)
   }
   val core = new ClockingArea(clocking.domain) {
     val pipeline = PongPipeline(config, tech)

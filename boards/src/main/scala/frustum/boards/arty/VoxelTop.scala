@@ -4,7 +4,6 @@ import frustum.blackbox.Tech
 import frustum.pipelines.VoxelConsole
 import frustum.spec.{Blocks, VoxelCamera, VoxelConfig}
 import spinal.core._
-import spinal.lib.ResetCtrl
 
 /** `arty-voxel`: a world of blocks from the host, on a VGA PMOD. All runs from the oscillator's 100 MHz; a pixel of the monitor lasts
   * four clocks.
@@ -13,16 +12,7 @@ case class VoxelTop(config: VoxelConfig, tech: Tech) extends Component {
   val io = VoxelPins()
   noIoPrefix()
 
-  val clocking = new Area {
-    private val unreset = ClockDomain(io.clk, config = ClockDomainConfig(resetKind = BOOT))
-    val domain          = ClockDomain(
-      clock = io.clk,
-      reset =
-        ResetCtrl.asyncAssertSyncDeassert(!io.resetn, unreset, inputPolarity = HIGH, outputPolarity = HIGH),
-      frequency = ClockDomain.FixedFrequency(100 MHz)
-    )
-  }
-  val core = new ClockingArea(clocking.domain) {
+  val core = new ClockingArea(ArtyDomain(io.clk, io.resetn, 100 MHz)) {
     val console = VoxelConsole(config, Blocks.assets, VoxelCamera.level(config, focal = 225), tech)
     console.io.uart := io.uart
     io.refused      := console.io.refused.resized

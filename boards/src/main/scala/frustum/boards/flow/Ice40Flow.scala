@@ -9,10 +9,7 @@ final class Ice40Flow(tools: Ice40Tools) extends Flow {
   protected def nextpnr: Tool  = tools.nextpnr
   protected def engine: String = s"yosys ${yosys.version}, nextpnr-ice40 ${nextpnr.version}"
 
-  /** `-no-rw-check`: the library states don't-care where a memory is read and written at one address.
-    * No `-dsp`: multipliers are instantiated, and that pass disconnects their clocks.
-    */
-  protected def synthesis: String = "synth_ice40 -abc9 -no-rw-check"
+  protected def synthesis: String = Ice40Flow.Synthesis
 
   protected def writeConstraints(work: Path, top: BoardTop): Unit = {
     val pins   = Files.readString(Paths.get(top.constraints))
@@ -32,4 +29,12 @@ final class Ice40Flow(tools: Ice40Tools) extends Flow {
       throw FlowFault(s"icepack failed: ${Tool.faults(work.resolve(log))}")
     work.resolve(s"$name.bin")
   }
+}
+
+object Ice40Flow {
+
+  /** `-no-rw-check`: the library states don't-care where a memory is read and written at one address.
+    * No `-dsp`: multipliers are instantiated, and that pass disconnects their clocks.
+    */
+  val Synthesis = "synth_ice40 -abc9 -no-rw-check"
 }

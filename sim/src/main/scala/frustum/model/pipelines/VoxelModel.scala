@@ -1,14 +1,8 @@
 package frustum.model.pipelines
 
 import frustum.model.voxel.{LayerComposite, FaceHit, FaceTexel, LeapWords, Marcher, RaySetup, RayStart}
-import frustum.scene.VoxelWorld
-import frustum.spec.{BlockTable, VoxelAssets, VoxelCamera, VoxelConfig, VoxelTextures}
-
-/** A face in view, in the world's own coordinates. */
-final case class SeenFace(x: Int, y: Int, z: Int, id: Int, face: Int, u: Int, v: Int) {
-  def sameBlock(o: SeenFace): Boolean = (x, y, z) == ((o.x, o.y, o.z))
-  def sameFace(o: SeenFace): Boolean  = sameBlock(o) && face == o.face
-}
+import frustum.scene.{SeenFace, VoxelWorld}
+import frustum.spec.{VoxelAssets, VoxelCamera, VoxelConfig}
 
 /** One ray: its start, what it saw front to back, its colour and how many words of memory it read. */
 final case class VoxelPixel(ray: RayStart, seen: Seq[SeenFace], color: Int, steps: Int)

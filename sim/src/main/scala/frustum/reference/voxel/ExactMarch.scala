@@ -1,7 +1,6 @@
 package frustum.reference.voxel
 
-import frustum.model.pipelines.SeenFace
-import frustum.scene.VoxelWorld
+import frustum.scene.{SeenFace, VoxelWorld}
 import frustum.spec.{BlockTable, VoxelConfig}
 
 /** A ray from an eye through the world, block by block, in whole numbers and therefore exact.
@@ -42,13 +41,12 @@ final class ExactMarch(
     if (sign(k) > 0) coordinate(k) >= c.size.axes(k) else coordinate(k) < 0
   }
 
-  /** The faces in view up to the first opaque one, and how many blocks were visited. */
-  def march(): (Seq[SeenFace], Int) = {
-    val seen              = Seq.newBuilder[SeenFace]
-    var (previous, steps) = (0, 1)
-    var going             = !gone
-    previous = if (going) id else 0
-    val limit = c.slabs.head + 1
+  /** The faces in view up to the first opaque one. */
+  def march(): Seq[SeenFace] = {
+    val seen     = Seq.newBuilder[SeenFace]
+    var going    = !gone
+    var previous = if (going) id else 0
+    val limit    = c.slabs.head + 1
     while (going) {
       val axis =
         (1 to 2).foldLeft(0)((best, k) => if (run(k) > 0 && (run(best) == 0 || before(k, best))) k else best)
@@ -56,7 +54,6 @@ final class ExactMarch(
       blocks(axis) += 1
       going = !gone && (0 to 2).forall(k => blocks(k) - Math.floorDiv(from(k), one) <= limit)
       if (going) {
-        steps += 1
         val here = id
         if (here != 0 && !(here == previous && table(here).joins)) {
           val t = (0 to 2).map { k => // texels from the block's corner, in the direction of travel
@@ -76,7 +73,7 @@ final class ExactMarch(
         previous = here
       }
     }
-    (seen.result(), steps)
+    seen.result()
   }
 }
 
