@@ -9,7 +9,7 @@ object Domain {
   /** Largest ratio of w within one triangle for which the bounds of `docs/numbers.md` hold. */
   val MaxWRatio = 256
 
-  /** Repeats of a texture across one triangle. */
+  /** A triangle's texture coordinates span less than this many repeats; less by two from the driver, which subtracts even numbers. */
   val MaxRepeats = 256
 
   /** Twice the area, in 1/256 pixel^2, below which barycentric coordinates are taken as if it were this much more:

@@ -18,7 +18,8 @@ object Main {
       VoxelCommand,
       PlayCommand,
       BudgetsCommand,
-      ChartCommand
+      ChartCommand,
+      StabilityCommand
     )
 
   def main(args: Array[String]): Unit = sys.exit(run(args.toSeq))

@@ -34,6 +34,10 @@ final case class VoxelView(eye: Vector3d, yaw: Double, pitch: Double, focal: Dou
     if (corners.exists(d => d.x.abs.max(d.y.abs).max(d.z.abs) >= 1.999)) throw InputError(
       s"--focal $focal at ${c.width}x${c.height}: the view is too wide, a ray's component reaches 2; enlarge --focal"
     )
+    val longest = 1 << c.slopeBits - 2
+    if (focal > longest) throw InputError(
+      s"--focal $focal: rays with slopes of ${c.slopeBits} bits pass their pixels by up to a quarter of one at $longest; reduce --focal"
+    )
     def fixed(v: Vector3d, bits: Int) = {
       def round(x: Double) = (x * (1 << bits)).round.toInt
       IntVector(round(v.x), round(v.y), round(v.z))

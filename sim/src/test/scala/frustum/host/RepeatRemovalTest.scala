@@ -12,7 +12,7 @@ class RepeatRemovalTest extends AnyFunSuite {
   }
 
   test("coordinates near 0 stay") {
-    assert(offset(Wrap.Repeat, Seq(1, 2, 3), Seq(0, 1.9, 200)) == ((0, 0)))
+    assert(offset(Wrap.Repeat, Seq(1, 2, 3), Seq(0, 1.9, 127)) == ((0, 0)))
   }
 
   test("the vertex nearest to the eye decides") {
@@ -25,13 +25,24 @@ class RepeatRemovalTest extends AnyFunSuite {
       assert(offset(Wrap.Mirror, Seq(1, 1, 1), Seq(s, s, s))._1 % 2 == 0)
       assert((s - offset(Wrap.Repeat, Seq(1, 1, 1), Seq(s, s, s))._1).abs <= RepeatRemoval.Step / 2)
     }
-    assert(offset(Wrap.Clamp, Seq(1, 1, 1), Seq(200, 201, 202)) == ((0, 0)))
+    assert(offset(Wrap.Clamp, Seq(1, 1, 1), Seq(100, 101, 102)) == ((0, 0)))
+  }
+
+  test("far vertices that would leave the format move the offset, by an even number, as little as they need") {
+    assert(offset(Wrap.Mirror, Seq(1, 2, 3), Seq(0, 1.9, 200)) == ((74, 0)))
+    assert(offset(Wrap.Repeat, Seq(1, 2, 3), Seq(0, -200, 50)) == ((-74, 0)))
+    assert(offset(Wrap.Repeat, Seq(1, 2, 3), Seq(1000, 1000, 1253.9)) == ((1126, 0)))
+    for (far <- 120 to 253; nearest <- Seq(-1.5, 0, 1.99); side <- Seq(1, -1)) {
+      val s = Seq(nearest, nearest / 2, nearest.min(0) + far + nearest.max(0) - 2)
+      val o = offset(Wrap.Repeat, Seq(1, 2, 3), s.map(_ * side))._1
+      assert(s.forall(v => (v * side - o).abs * 65536 <= PackedVertex.MaxSt), s"$s $o")
+    }
   }
 
   test("what still exceeds the format is refused with the numbers") {
     val error = intercept[InputError](offset(Wrap.Repeat, Seq(1, 2, 3), Seq(0, 300, 5)))
-    assert(error.message.contains("from 0.0 to 300.0 repeats") && error.message.contains("at most 256"))
-    intercept[InputError](offset(Wrap.Clamp, Seq(1, 2, 3), Seq(1000, 1001, 1002)))
+    assert(error.message.contains("from 0.0 to 300.0 repeats") && error.message.contains("fewer than 254"))
+    for (s <- Seq(Seq(1000.0, 1001, 1002), Seq(0.0, 1, 128))) intercept[InputError](offset(Wrap.Clamp, Seq(1, 2, 3), s))
     intercept[InputError](offset(Wrap.Repeat, Seq(1, 2, 3), Seq(0, 0, 0), Seq(1e300, 0, 0)))
   }
 }

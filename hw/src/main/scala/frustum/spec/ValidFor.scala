@@ -1,0 +1,87 @@
+package frustum.spec
+
+/** Where a method keeps its promise. `./sbt stability` measures each, within and beyond.
+  *
+  * @param method   what is relied on
+  * @param quantity what it depends on, in `unit`
+  * @param low,high range of the quantity, both ends included
+  * @param bound    greatest error within it, in `errorUnit`
+  */
+final case class ValidFor(
+    method: String,
+    quantity: String,
+    unit: String,
+    low: Double,
+    high: Double,
+    bound: Double,
+    errorUnit: String
+) {
+  require(low <= high, s"$method: $quantity from $low to $high")
+  def contains(value: Double): Boolean = low <= value && value <= high
+}
+
+object ValidFor {
+  private val Any = 1e6
+
+  // raster: triangles as the hardware takes them
+  val WRatio =
+    ValidFor("perspective", "w-ratio", "within a triangle", 1, Domain.MaxWRatio, 1.0 / 16, "texels of 128")
+  val Repeats = ValidFor(
+    "perspective",
+    "repeats",
+    "across a triangle",
+    1.0 / 16,
+    Domain.MaxRepeats - 1.0 / 128,
+    1.5,
+    "texels of 128"
+  )
+  val Area =
+    ValidFor("planes", "area", "1/512 square pixel", Domain.MinArea, 1 << 20, 32, "depth units of 65,536")
+  val TriangleSize =
+    ValidFor("planes", "triangle-size", "pixels", 1, 2046, 1.0 / 256, "depth units of 65,536")
+  val SliverWidth = ValidFor("coverage", "sliver-width", "1/16 pixel", 1, 1024, 0, "pixels")
+  val TJunction   =
+    ValidFor("coverage", "t-junction", "1/16 pixel off the edge", 0, 0, 0, "pixels missed or drawn twice")
+  val ScreenSide = ValidFor("coverage", "screen-side", "pixels", 8, 512, 0, "pixels")
+
+  // raster: scenes as the driver takes them
+  val SceneScale =
+    ValidFor("driver", "scene-scale", "times the floor from 1 to 100", 1 / Any, Any, 0.5, "% of texels")
+  val FarOverNear = ValidFor(
+    "driver",
+    "far-over-near",
+    "of a floor in two triangles",
+    1.01,
+    Domain.MaxWRatio,
+    0.5,
+    "% of texels"
+  )
+  val NearPlane = ValidFor(
+    "driver",
+    "near-plane",
+    "of the far plane, a floor through it",
+    1.0 / Domain.MaxWRatio,
+    0.5,
+    0.5,
+    "% of texels"
+  )
+  val EyeHeight =
+    ValidFor("driver", "eye-height", "over a floor from 1 to 100", 1.0 / 32, 64, 0.5, "% of texels")
+  val Overhang = ValidFor("driver", "overhang", "screens beyond the border", 1, Any, 0.5, "% of pixels")
+  val Clamped  =
+    ValidFor("texture", "clamped-coordinate", "repeats beyond 0 and 1", 1, 126, 0.5, "% of texels")
+  val TextureSide = ValidFor("texture", "texture-side", "log2 texels", 3, 7, 0.5, "% of texels")
+  val DepthGap    = ValidFor("depth", "depth-gap", "of the depth, far = 100 near", 0.005, 1, 0, "% of pixels")
+  val OrthoDepth  = ValidFor("depth", "orthographic-range", "world units", 1 / Any, Any, 0, "% of pixels")
+
+  // ray caster
+  val SphereDistance =
+    ValidFor("sphere", "sphere-distance", "units from the eye to the centre", 21, 940, 2, "of 255")
+  val SphereRadius  = ValidFor("sphere", "sphere-radius", "units", 1, 240, 2, "of 255")
+  val LightDistance = ValidFor("sphere", "light-distance", "units from the surface", 2, 200, 2, "of 255")
+
+  // voxel world
+  val FocalLength = ValidFor("march", "focal-length", "pixels, 320 x 240", 160, 700, 1.0 / 16, "pixels")
+  val EyeOutside = ValidFor("march", "eye-outside", "blocks from the world", 0, VoxelConfig.Around, 0, "rays")
+  val ViewDistance = ValidFor("march", "view-distance", "blocks", 1, VoxelConfig.MostDistance, 0, "rays")
+}
