@@ -81,7 +81,11 @@ case class Blend(config: RasterConfig) extends Component {
   memory.io.writeEnable := mixed.valid && !mixed.tileEnd
   memory.io.writeBank := mixed.bank
   memory.io.writeAddress := mixed.address
-  memory.io.writeData := mixed.r.sum ## mixed.g.sum ## mixed.b.sum
+  // Without blending, synthesis would not see that the sums of equal terms are those terms.
+  memory.io.writeData := (
+    if (config.fixed.neverBlends) RegNext(fetched.r ## fetched.g ## fetched.b)
+    else mixed.r.sum ## mixed.g.sum ## mixed.b.sum
+  )
 
   io.tileEnd.valid := mixed.valid && mixed.tileEnd
   io.tileEnd.payload := mixed.bank

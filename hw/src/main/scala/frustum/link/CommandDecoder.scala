@@ -2,6 +2,7 @@ package frustum.link
 
 import frustum.texture.TexelWrite
 import frustum.spec.Command
+import frustum.spec.FixedState
 import frustum.spec.PackedVertex
 import frustum.spec.RasterConfig
 import frustum.spec.StoreLayout
@@ -196,6 +197,14 @@ case class CommandDecoder(config: RasterConfig) extends Component {
     is(writeState) {
       io.store.cmd.valid := True
       when(io.store.cmd.ready)(state := finish)
+      if (config.fixed != FixedState.None) {
+        def constant(v: Int) = B(BigInt(v & 0xffffffffL), 32 bits).rotateRight(16) // first word of the wire above
+        when((data & constant(config.fixed.mask)) =/= constant(config.fixed.value)) {
+          io.store.cmd.valid := False
+          refused := True
+          state := finish
+        }
+      }
     }
     is(writeVertex) {
       val write = !beyond && (!check.io.fault || pair === 3)

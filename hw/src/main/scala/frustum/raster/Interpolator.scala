@@ -96,9 +96,15 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   // another triangle's first value.
   val complement = RegNextWhen(moving && inRow && toLeft, moves) // the step to the left lacks one
   val widths = Seq.fill(4)(32) ++ Seq.fill(4)(16)
-  val planes = for ((width, plane) <- widths.zipWithIndex) yield new Area {
-    val memory = Mem(SInt(width bits), slots * 8)
-    memory.write(io.write.slot @@ io.write.entry, io.write.value.resize(width), io.write.valid && io.write.plane === plane)
+  val planes = for ((full, plane) <- widths.zipWithIndex) yield new Area {
+    val dropped = config.formats.dropped(plane)
+    val width   = full - dropped
+    val memory  = Mem(SInt(width bits), slots * 8)
+    memory.write(
+      io.write.slot @@ io.write.entry,
+      (io.write.value >> dropped).resize(width),
+      io.write.valid && io.write.plane === plane
+    )
     val coefficient = memory.readSync(io.token.slot @@ entry.asUInt, enable = moves, readUnderWrite = dontCare)
     val value = RegInit(S(0, width bits))
     when(moving && advance) {
@@ -122,5 +128,5 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   import SetupWords._
   Seq(PlaneS -> io.down.s, PlaneT -> io.down.t, PlaneQ -> io.down.q, PlaneZ -> io.down.z,
     PlaneR -> io.down.r, PlaneG -> io.down.g, PlaneB -> io.down.b, PlaneA -> io.down.a)
-    .foreach { case (plane, to) => to := planes(plane).value }
+    .foreach { case (plane, to) => to := planes(plane).value << planes(plane).dropped }
 }

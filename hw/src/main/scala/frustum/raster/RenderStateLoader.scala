@@ -26,7 +26,7 @@ case class RenderStateLoader(config: RasterConfig, slots: Int) extends Component
   val right   = up.tileEnd || loaded && index === up.state
   val passes  = RegNext(up.valid && right && !up.fire, False)
   io.down << up.continueWhen(passes)
-  io.current := current
+  io.current := current.fixed(config.fixed)
 
   val asking  = RegInit(False) // until the answer
   val start   = up.valid && !right && !io.busy && !asking

@@ -1,6 +1,8 @@
 package frustum.raster
 
+import frustum.spec.FixedState
 import spinal.core._
+import spinal.lib._
 
 /** The 32 bits of [[frustum.spec.RenderState]], second word in the upper half, as named fields. */
 case class RenderStateWord() extends Bundle {
@@ -14,4 +16,14 @@ case class RenderStateWord() extends Bundle {
   val depthWrite    = Bool()
   val blend         = Bool()
   val alphaRef      = UInt(5 bits)
+
+  /** With constants for the bits that are. */
+  def fixed(f: FixedState): RenderStateWord = if (f == FixedState.None) this else {
+    val bits = asBits.asBools.zipWithIndex.map { case (bit, i) =>
+      if ((f.mask >> i & 1) == 0) bit else Bool((f.value >> i & 1) == 1)
+    }
+    val word = RenderStateWord()
+    word.assignFromBits(Cat(bits))
+    word
+  }
 }

@@ -4,6 +4,8 @@ package frustum.spec
   *
   * @param width,height screen, pixels; the frame is drawn tile by tile, so any size costs the same memory
   * @param tileLog2Width,tileLog2Height tile, 2^n pixels a side
+  * @param fixed   what of a render state cannot be chosen, and is not built
+  * @param formats bits that attribute planes go without
   */
 final case class RasterConfig(
     width: Int = 240,
@@ -12,7 +14,9 @@ final case class RasterConfig(
     tileLog2Height: Int = 4,
     maxVertices: Int = 1024,
     maxTriangles: Int = 1024,
-    textureTexels: Int = 32768
+    textureTexels: Int = 32768,
+    fixed: FixedState = FixedState.None,
+    formats: PlaneFormats = PlaneFormats()
 ) {
   require(tileLog2Width >= 3 && tileLog2Width <= 5, s"tile width 2^$tileLog2Width is outside 8..32")
   require(tileLog2Height >= 3 && tileLog2Height <= 5, s"tile height 2^$tileLog2Height is outside 8..32")

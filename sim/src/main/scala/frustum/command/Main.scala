@@ -19,7 +19,8 @@ object Main {
       PlayCommand,
       BudgetsCommand,
       ChartCommand,
-      StabilityCommand
+      StabilityCommand,
+      FitCommand
     )
 
   def main(args: Array[String]): Unit = sys.exit(run(args.toSeq))

@@ -22,8 +22,8 @@ object RenderCommand extends CommandLine {
       throw InputError(s"--wave: the engine ${entry.name} has no signals; use --engine hardware or pipeline")
     if (o.panel.isDefined && !entry.atPins)
       throw InputError(s"--panel: the engine ${entry.name} has no display; use --engine hardware")
-    val config = configOf(o)
-    val scene  = sceneOf(o)
+    val config = configOf(o.size._1, o.size._2)
+    val scene  = sceneOf(o.scene, o.obj, o.texture)
     val stem   = o.obj.fold(scene.name)(_.getFileName.toString.replaceFirst("\\.[^.]*$", ""))
     val folder = Paths.get("out", name)
     val out    = o.out.getOrElse(folder.resolve(if (o.frames > 1) s"$stem-%d.png" else s"$stem.png"))
@@ -59,21 +59,22 @@ object RenderCommand extends CommandLine {
       frame.toString
     ))
 
-  private def configOf(o: RenderOptions): RasterConfig =
-    try RasterConfig(width = o.size._1, height = o.size._2)
+  def configOf(width: Int, height: Int): RasterConfig =
+    try RasterConfig(width = width, height = height)
     catch {
       case e: IllegalArgumentException =>
         throw InputError(
-          s"--size ${o.size._1}x${o.size._2}: ${e.getMessage.stripPrefix("requirement failed: ")}; take another"
+          s"--size ${width}x$height: ${e.getMessage.stripPrefix("requirement failed: ")}; take another"
         )
     }
 
-  private def sceneOf(o: RenderOptions): Scene = (o.scene, o.obj) match {
+  /** What `--scene`, `--obj` and `--texture` ask for. */
+  def sceneOf(name: Option[String], obj: Option[Path], texture: Option[Path]): Scene = (name, obj) match {
     case (Some(_), Some(_)) => throw InputError("--obj: a scene is given as well; leave out --obj or --scene")
-    case (_, Some(file))    => ObjScene.read(file, o.texture)
+    case (_, Some(file))    => ObjScene.read(file, texture)
     case (scene, None)      =>
       val made = Scenes.byName(scene.getOrElse("teapot"))
-      o.texture.map(TextureFile.read(_)).fold(made)(picture =>
+      texture.map(TextureFile.read(_)).fold(made)(picture =>
         made.copy(materials = made.materials.map(m => Material.textured(m.name, picture, m.alpha)))
       )
   }

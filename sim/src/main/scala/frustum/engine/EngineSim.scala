@@ -27,7 +27,8 @@ object EngineSim {
   /** Everything of a configuration, for names of simulations. */
   def nameOf(config: RasterConfig): String = {
     import config._
-    s"${width}x${height}_${tileWidth}x${tileHeight}_${maxVertices}_${maxTriangles}_$textureTexels"
+    s"${width}x${height}_${tileWidth}x${tileHeight}_${maxVertices}_${maxTriangles}_${textureTexels}_" +
+      f"${fixed.mask}%08x${fixed.value}%08x_${formats.coordinate}_${formats.depth}_${formats.color}"
   }
 
   /** @param name must tell everything that the design depends on

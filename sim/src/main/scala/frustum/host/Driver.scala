@@ -1,5 +1,6 @@
 package frustum.host
 
+import frustum.InputError
 import frustum.scene.{Camera, Scene}
 import frustum.spec._
 import org.joml.{Matrix4d, Vector4d}
@@ -38,6 +39,8 @@ object Driver {
     options.light.foreach(Lambert.check)
     val textures = TextureMemory.allocate(scene, config)
     val states = StateTable(scene, textures, options)
+    for (state <- states.states; fault <- config.fixed.fault(state))
+      throw InputError(s"${scene.name}: $fault, which this hardware was made without; build it for the scene (./sbt fit)")
     val clipped = clipTriangles(scene, camera, options, config, states)
     val scaled = scaleW(clipped)
     val viewport = new Viewport(config)

@@ -13,6 +13,8 @@ import org.joml.{Vector3d, Vector4d}
   *   for both texture coordinates
   * @param background
   *   0xRRGGBB
+  * @param depthTest
+  *   false where nothing drawn hides anything else drawn
   * @param turnDegrees
   *   the model is turned about +y through the centre of its bounding sphere; the light is not
   */
@@ -21,7 +23,8 @@ final case class DrawOptions(
     cullBack: Boolean,
     wrap: Wrap,
     background: Int,
-    turnDegrees: Double = 0
+    turnDegrees: Double = 0,
+    depthTest: Boolean = true
 )
 
 /** A vertex in clip space before quantisation: inside when -w <= x, y, z <= w. `rgba` is 0..1, lit. */

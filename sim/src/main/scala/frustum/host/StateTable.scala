@@ -37,8 +37,8 @@ object StateTable {
       wrapS = options.wrap,
       wrapT = options.wrap,
       combine = if (m.texture.isEmpty) Combine.ColorOnly else combine,
-      depth = DepthFunction.Less,
-      depthWrite = !m.blend,
+      depth = if (options.depthTest) DepthFunction.Less else DepthFunction.Always,
+      depthWrite = options.depthTest && !m.blend,
       blend = m.blend,
       alphaRef = m.alphaTest.fold(0)(a => (a * 31).round.toInt.max(1).min(31))
     )

@@ -37,13 +37,8 @@ final class FrameJudge(model: Option[RasterConfig => PassRenderer], simulated: B
   def judge(frame: PreparedFrame, rendered: RenderedFrame): FrameVerdict = {
     val config   = frame.config
     val memory   = ReferenceRaster.texelMemory(frame.textures)
-    val renderer = model.fold[PassRenderer](new ReferenceRenderer(config))(_(config))
     val image    = new Array[Int](config.width * config.height)
-    val logs     = frame.passes.map { pass =>
-      val log = new FragmentLog
-      renderer.draw(pass, memory, image, Some(log))
-      log.fragments
-    }
+    val logs     = draw(frame, memory, image)
     val reference                   = ReferenceRaster.draw(frame).rgb888
     val (endToEnd, endToEndPicture) = EndToEndJudge.judge(frame, logs)
     FrameVerdict(
@@ -56,6 +51,23 @@ final class FrameJudge(model: Option[RasterConfig => PassRenderer], simulated: B
       Option.when(model.isDefined)(judgeModel(frame, logs, memory)),
       endToEnd
     )
+  }
+
+  /** A frame as its model draws it, without an engine's picture. */
+  def drawModel(frame: PreparedFrame): (ModelVerdict, Array[Int], Seq[IndexedSeq[LoggedFragment]]) = {
+    val memory = ReferenceRaster.texelMemory(frame.textures)
+    val image  = new Array[Int](frame.config.width * frame.config.height)
+    val logs   = draw(frame, memory, image)
+    (judgeModel(frame, logs, memory), Picture.ofRgb565(image), logs)
+  }
+
+  private def draw(frame: PreparedFrame, memory: Array[Int], image: Array[Int]): Seq[IndexedSeq[LoggedFragment]] = {
+    val renderer = model.fold[PassRenderer](new ReferenceRenderer(frame.config))(_(frame.config))
+    frame.passes.map { pass =>
+      val log = new FragmentLog
+      renderer.draw(pass, memory, image, Some(log))
+      log.fragments
+    }
   }
 
   private def judgeModel(

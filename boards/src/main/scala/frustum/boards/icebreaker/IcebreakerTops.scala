@@ -14,13 +14,16 @@ object IcebreakerTops {
   /** What a host may clock the command port with. */
   private val hostMHz = BigDecimal(48)
 
-  val raster: BoardTop = BoardTop(
-    name = "icebreaker-raster",
+  val raster: BoardTop = rasterOf("icebreaker-raster", RasterConfig())
+
+  /** The rasterizer's top, made for a configuration. */
+  def rasterOf(name: String, config: RasterConfig): BoardTop = BoardTop(
+    name = name,
     part = Part.Ice40Up5k,
     constraints = "boards/icebreaker/raster.pcf",
     core = BoardClock(IcebreakerClock.Net, coreMHz, "PLL on the 12 MHz oscillator"),
     otherClocks = Seq(BoardClock("host_sck", hostMHz, "SCK of the host")),
-    component = () => RasterTop(RasterConfig(), Panel.Ili9341, coreMHz, Tech.Ice40)
+    component = () => RasterTop(config, Panel.Ili9341, coreMHz, Tech.Ice40)
   )
 
   /** 59.8 frames a second of 640 x 480: the next to 25.175 MHz that the PLL makes. */

@@ -55,7 +55,8 @@ final class CommandDecoder(config: RasterConfig) {
   }
 
   private def writeState(w: Seq[Int]): Boolean = {
-    val inRange = w(0) < RenderState.Count
+    val word    = w(2) << 16 | w(1)
+    val inRange = w(0) < RenderState.Count && ((word ^ config.fixed.value) & config.fixed.mask) == 0
     if (inRange) banks(bank)(layout.states + w(0)) = pair(w(1), w(2))
     inRange
   }

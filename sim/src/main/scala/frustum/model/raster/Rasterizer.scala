@@ -15,6 +15,8 @@ trait FragmentSink {
 
 /** Bit-exact rasterizer: tiles of the region row by row, in each the triangles in order, in each the spans to and fro. */
 final case class Rasterizer(config: RasterConfig) {
+  import config.formats.cut
+
   def draw(pass: FramePass, sink: FragmentSink): Unit = {
     val setups = pass.triangles.map { t =>
       val setup = new TriangleSetup
@@ -43,7 +45,7 @@ final case class Rasterizer(config: RasterConfig) {
           val pixels = if (row % 2 == 0) span.first to span.last else span.last to span.first by -1
           for (x <- pixels) {
             def plane(p: Int) =
-              setup.initial(p) + (x - first.first) * setup.gradientX(p) + (span.y - first.y) * setup.gradientY(p)
+              cut(p, setup.initial(p)) + (x - first.first) * cut(p, setup.gradientX(p)) + (span.y - first.y) * cut(p, setup.gradientY(p))
             sink.fragment(
               n, state, x - originX, span.y - originY, plane(PlaneS), plane(PlaneT), plane(PlaneQ), plane(PlaneZ),
               plane(PlaneR).toShort.toInt, plane(PlaneG).toShort.toInt, plane(PlaneB).toShort.toInt, plane(PlaneA).toShort.toInt

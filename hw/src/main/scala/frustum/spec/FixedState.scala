@@ -1,0 +1,60 @@
+package frustum.spec
+
+/** Bits of the 32-bit word of a [[RenderState]] that hardware holds constant, so that nothing is built for what no state of a
+  * scene asks for. States that differ in such a bit are refused.
+  *
+  * @param mask  the bits, @param value their values, 0 elsewhere
+  */
+final case class FixedState(mask: Int, value: Int) {
+  require((value & ~mask) == 0, f"FixedState: value $value%08x has bits outside of its mask $mask%08x")
+
+  /** The fields that are constant, none of whose bits can be chosen. */
+  def constant: Seq[String] = FixedState.fields.collect { case (name, bits) if (mask & bits) == bits => name }
+
+  /** With one of these fields to be chosen again. */
+  def without(field: String): FixedState = {
+    val bits = FixedState.fields.toMap.apply(field)
+    FixedState(mask & ~bits, value & ~bits)
+  }
+
+  /** No state blends. */
+  def neverBlends: Boolean = (mask & FixedState.Blend) != 0 && (value & FixedState.Blend) == 0
+
+  /** What keeps the hardware from drawing with a state, or None. */
+  def fault(s: RenderState): Option[String] = {
+    val differs = (FixedState.word(s) ^ value) & mask
+    Option.when(differs != 0)(
+      "needs another " + FixedState.fields.collect { case (name, bits) if (differs & bits) != 0 => name }.mkString(", ")
+    )
+  }
+}
+
+object FixedState {
+
+  /** Everything can be chosen. */
+  val None: FixedState = FixedState(0, 0)
+
+  /** What these states agree in. */
+  def of(states: RenderState*): FixedState = {
+    require(states.nonEmpty, "FixedState: of no states")
+    val words = states.map(word)
+    val mask  = words.map(w => ~(w ^ words.head)).reduce(_ & _)
+    FixedState(mask, words.head & mask)
+  }
+
+  /** As `frustum.raster.RenderStateWord` has it: the second word of the wire in the upper half. */
+  def word(s: RenderState): Int = s.words(1) << 16 | s.words(0)
+
+  private val Blend = 1 << 26
+
+  private val fields = Seq(
+    "texture address" -> 0x1ff,
+    "texture size"    -> (63 << 9),
+    "texel format"    -> (1 << 15),
+    "wrap"            -> (15 << 16),
+    "combine"         -> (3 << 20),
+    "depth function"  -> (15 << 22),
+    "blending"                -> Blend,
+    "alpha test"      -> (31 << 27)
+  )
+}
