@@ -18,13 +18,15 @@ case class SetupResult() extends Bundle {
   *
   * Between runs (`idle`) the scratch memory belongs to `write` and `read`; data is on `readData` one clock after `read`.
   *
-  * @param slots triangles that the scratch memory holds, beside the words that all share
+  * @param slots  triangles that the scratch memory holds, beside the words that all share
+  * @param planes that are wanted
   */
-case class SetupEngine(slots: Int, tech: Tech) extends Component {
+case class SetupEngine(slots: Int, tech: Tech, planes: Seq[Int] = SetupWords.AllPlanes) extends Component {
   import SetupInstruction._
   import SetupWords.CodeBits
 
-  val sectionBits = log2Up(SetupProgram.sections.length)
+  val program     = SetupProgram(planes)
+  val sectionBits = log2Up(program.sections.length)
   val words = SetupWords.SharedWords + slots * SetupWords.SlotWords
   val io = new Bundle {
     val run      = slave Flow (UInt(sectionBits bits))
@@ -41,7 +43,7 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   }
 
   // An instruction takes two clocks, phases 0 and 1. Its word appears at the ROM's output in phase 0.
-  val image   = SetupProgram.image
+  val image   = program.image
   val pcBits  = log2Up(image.length + 1)
   val phase   = RegInit(False)
   phase := !phase
@@ -55,8 +57,8 @@ case class SetupEngine(slots: Int, tech: Tech) extends Component {
   }
   when(io.run.valid) {
     def table(of: Seq[Int]) = Vec(of.map(U(_, pcBits bits)))(io.run.payload)
-    pc := table(SetupProgram.starts.init)
-    end := table(SetupProgram.starts.tail)
+    pc := table(program.starts.init)
+    end := table(program.starts.tail)
     running := True
   }
   val rom  = Mem(Bits(WordBits bits), image.map(i => B(encode(i), WordBits bits)))

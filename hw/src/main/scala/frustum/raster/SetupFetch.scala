@@ -42,8 +42,10 @@ case class SpareRows(rows: Int) extends Bundle with IMasterSlave {
 /** Writes words into the set-up engine's scratch memory: with `start`, a triangle's three vertices from the store, or,
   * with `program` at 48 or more, that program of [[frustum.spec.FetchProgram]]. A row a clock, and a store read for each
   * store word. The last word is written two clocks after `idle` is back, before the engine can read it.
+  *
+  * @param planes that are wanted
   */
-case class SetupFetch(layout: StoreLayout, spareRows: Int) extends Component {
+case class SetupFetch(layout: StoreLayout, spareRows: Int, planes: Seq[Int] = SetupWords.AllPlanes) extends Component {
   val io = new Bundle {
     val start    = in Bool ()
     val program  = in UInt (6 bits) // 0: vertices
@@ -75,7 +77,7 @@ case class SetupFetch(layout: StoreLayout, spareRows: Int) extends Component {
   val firstSpare = FetchProgram.Rows
   val rows  = firstSpare + (1 << log2Up(spareRows))
   val table = Mem(Bits(FetchProgram.RowBits bits), rows)
-  table.init(FetchProgram.image.padTo(rows, 0).map(B(_, FetchProgram.RowBits bits)))
+  table.init(FetchProgram.image(planes).padTo(rows, 0).map(B(_, FetchProgram.RowBits bits)))
   table.addAttribute("ram_style", "block")
   def spare(address: UInt) = U(firstSpare, log2Up(rows) bits) | address.resize(log2Up(rows))
   table.write(

@@ -30,9 +30,9 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   }
 
   val lookup = SlotLookup(config, slots)
-  val engine = SetupEngine(slots, tech)
+  val engine = SetupEngine(slots, tech, config.fixed.planes)
   val walker = EdgeWalker(config)
-  val fetch  = SetupFetch(layout, slots)
+  val fetch  = SetupFetch(layout, slots, config.fixed.planes)
   val writer = CoefficientWriter(slots)
 
   lookup.io.flush := io.flush

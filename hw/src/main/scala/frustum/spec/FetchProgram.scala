@@ -42,9 +42,26 @@ object FetchProgram {
     )
 
   /** Rows of one vertex: vertex 0's fields, the others' differences. What vertex 0 leaves in a difference's place, vertex 1
-    * overwrites.
+    * overwrites. Of planes that are not wanted nothing is fetched.
     */
-  def vertex(v: Int): Seq[Row] = Seq(
+  def vertex(v: Int, planes: Seq[Int]): Seq[Row] = {
+    val rows = fields(v)
+    rows.zipWithIndex.collect {
+      case (row, _) if wanted(row, planes) => row
+      case (row, n) if row.take && rows.drop(n + 1).exists(r => r.word == row.word && wanted(r, planes)) =>
+        Row(Field.Skip, word = row.word, take = true)
+    }
+  }
+
+  private def wanted(row: Row, planes: Seq[Int]): Boolean = row.field match {
+    case Field.Q | Field.Texture | Field.Scale => planes.contains(PlaneQ)
+    case Field.Z                               => planes.contains(PlaneZ)
+    case Field.Color                           => (PlaneR to PlaneA).exists(planes.contains)
+    case Field.Skip                            => false
+    case _                                     => true
+  }
+
+  private def fields(v: Int): Seq[Row] = Seq(
     position(v, Seq(X0, DX1, DX2), take = false, X0, upper = false),
     position(v, Seq(DX1_16, DX1_16, DX2_16), take = true, X0, upper = true),
     Row(Field.Skip, word = 0, take = true),
@@ -98,8 +115,8 @@ object FetchProgram {
       r.word << 18 | r.field.id << 14 | code(r.origin) << 7 | code(r.target)
   }
 
-  val image: Seq[Int] = {
-    val programs = (0 to 2).map(v => 16 * v -> vertex(v)) ++
+  def image(planes: Seq[Int]): Seq[Int] = {
+    val programs = (0 to 2).map(v => 16 * v -> vertex(v, planes)) ++
       Seq(Corner -> corner, Pixel -> pixel, Normal -> normal, GradientShift -> gradientShift)
     val rows = programs.flatMap { case (at, program) =>
       encode(program).zipWithIndex.map { case (r, n) => at + n -> r }

@@ -17,6 +17,19 @@ final case class FixedState(mask: Int, value: Int) {
     FixedState(mask & ~bits, value & ~bits)
   }
 
+  /** Attribute planes that some state can make a difference with. */
+  def planes: Seq[Int] = {
+    import SetupWords._
+    def is(bits: Int, constant: Int) = (mask & bits) == bits && (this.value & bits) == constant
+    val none = Seq(
+      is(FixedState.CombineBits, Combine.ColorOnly.code << 20) -> Seq(PlaneS, PlaneT, PlaneQ),
+      is(FixedState.CombineBits, Combine.Replace.code << 20)   -> Seq(PlaneR, PlaneG, PlaneB),
+      is(FixedState.Functions, DepthFunction.Always.code << 22) -> Seq(PlaneZ),
+      (neverBlends && is(FixedState.AlphaRef, 0))              -> Seq(PlaneA)
+    ).collect { case (true, planes) => planes }.flatten
+    AllPlanes.diff(none)
+  }
+
   /** No state blends. */
   def neverBlends: Boolean = (mask & FixedState.Blend) != 0 && (value & FixedState.Blend) == 0
 
@@ -45,16 +58,19 @@ object FixedState {
   /** As `frustum.raster.RenderStateWord` has it: the second word of the wire in the upper half. */
   def word(s: RenderState): Int = s.words(1) << 16 | s.words(0)
 
-  private val Blend = 1 << 26
+  private val CombineBits = 3 << 20
+  private val Functions   = 7 << 22
+  private val Blend       = 1 << 26
+  private val AlphaRef    = 31 << 27
 
   private val fields = Seq(
     "texture address" -> 0x1ff,
     "texture size"    -> (63 << 9),
     "texel format"    -> (1 << 15),
     "wrap"            -> (15 << 16),
-    "combine"         -> (3 << 20),
+    "combine"         -> CombineBits,
     "depth function"  -> (15 << 22),
     "blending"                -> Blend,
-    "alpha test"      -> (31 << 27)
+    "alpha test"      -> AlphaRef
   )
 }

@@ -9,8 +9,11 @@ import SetupWords._
   *
   * Lambdas at the first covered pixel come from exact edge functions, so they lie in 0..1 without cancellation,
   * however thin the triangle; gradients only carry a plane across one tile.
+  *
+  * @param planes that are wanted; the others' values mean nothing
   */
-object SetupProgram {
+final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
+  private def textured = planes.contains(PlaneQ)
   private val nop = SetupInstruction(One, One, Keep, subtract = false, Nowhere)
   private def mac(a: Int, b: Int, start: Start = Keep, to: Result = Nowhere)  = SetupInstruction(a, b, start, subtract = false, to)
   private def macn(a: Int, b: Int, start: Start = Keep, to: Result = Nowhere) = SetupInstruction(a, b, start, subtract = true, to)
@@ -46,8 +49,9 @@ object SetupProgram {
     val normal = Seq(DY2_16 -> N1A, DX2_16 -> N1B, DY1_16 -> N2A, DX1_16 -> N2B).map { case (from, to) =>
       mac(from, Shift, Zero, Integer(to))
     }
-    guess ++ depthsOf ++ newton.take(2) ++ edge0 ++ newton.drop(2) ++ products(s, PlaneS) ++ newton.take(2) ++ normal ++
-      newton.drop(2) ++ products(t, PlaneT) ++ newton.take(2) ++ inverseW ++ newton.drop(2)
+    def texture(program: Seq[SetupInstruction]) = if (textured) program else Nil
+    guess ++ texture(depthsOf) ++ newton.take(2) ++ edge0 ++ newton.drop(2) ++ texture(products(s, PlaneS)) ++ newton.take(2) ++
+      normal ++ newton.drop(2) ++ texture(products(t, PlaneT)) ++ newton.take(2) ++ texture(inverseW) ++ newton.drop(2)
   }
 
   /** Gradients of the edge functions, 16 A and 16 B, shifted like the area; they show whether the triangle is a sliver. */
@@ -60,7 +64,7 @@ object SetupProgram {
     Seq(
       mac(Reciprocal, ty2, Round, Fraction(L1X)), macn(Reciprocal, tx2, Round, Fraction(L1Y)),
       macn(Reciprocal, ty1, Round, Fraction(L2X)), mac(Reciprocal, tx1, Round, Fraction(L2Y))
-    ) ++ (0 until Planes).flatMap { p =>
+    ) ++ planes.flatMap { p =>
       Seq(
         mac(delta1(p), L1X, RoundGradient), mac(delta2(p), L2X, to = GradientX(p)),
         mac(delta1(p), L1Y, RoundGradient), mac(delta2(p), L2Y, to = GradientY(p))
@@ -87,12 +91,9 @@ object SetupProgram {
     macn(N2A, PixelX_16, Zero), mac(N2B, PixelY_16, to = Integer(Normal2)),
     mac(Reciprocal, Normal1, Round, Fraction(Lambda1)),
     mac(Reciprocal, Normal2, Round, Fraction(Lambda2))
-  ) ++ (0 until Planes).flatMap { p =>
+  ) ++ planes.flatMap { p =>
     Seq(mac(value(p), One, Round), mac(delta1(p), Lambda1), mac(delta2(p), Lambda2, to = Initial(p)))
   }
-
-  val SectionArea = 0; val SectionAttributes = 1; val SectionSteps = 2; val SectionGradients = 3; val SectionEdges = 4
-  val SectionRebase = 5
 
   /** The programs as they lie in the engine's memory, with no-operations where a result is not ready. */
   val sections: Seq[Seq[SetupInstruction]] = Seq(area, attributes ++ steps, steps, gradients, edges, rebase).map(schedule)
@@ -117,4 +118,9 @@ object SetupProgram {
       done ++ Vector.fill(at - done.length)(nop) ++ group
     }
   }
+}
+
+object SetupProgram {
+  val SectionArea = 0; val SectionAttributes = 1; val SectionSteps = 2; val SectionGradients = 3; val SectionEdges = 4
+  val SectionRebase = 5
 }

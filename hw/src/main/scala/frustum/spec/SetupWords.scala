@@ -77,4 +77,5 @@ object SetupWords {
   // Planes, in the order of the interpolator.
   val PlaneS = 0; val PlaneT = 1; val PlaneQ = 2; val PlaneZ = 3; val PlaneR = 4; val PlaneG = 5; val PlaneB = 6
   val PlaneA = 7
+  val AllPlanes: Seq[Int] = 0 until Planes
 }

@@ -19,7 +19,7 @@ final case class Rasterizer(config: RasterConfig) {
 
   def draw(pass: FramePass, sink: FragmentSink): Unit = {
     val setups = pass.triangles.map { t =>
-      val setup = new TriangleSetup
+      val setup = new TriangleSetup(config.fixed.planes)
       if (setup.setup(pass.vertices(t.v0), pass.vertices(t.v1), pass.vertices(t.v2))) Some(setup) else None
     }
     for (tileY <- pass.region.y0 to pass.region.y1; tileX <- pass.region.x0 to pass.region.x1) {

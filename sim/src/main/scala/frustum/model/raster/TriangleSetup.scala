@@ -4,8 +4,12 @@ import frustum.spec._
 import frustum.spec.SetupInstruction._
 import frustum.spec.SetupWords._
 
-/** Bit-exact triangle set-up: runs [[SetupProgram]] on one triangle, without the hardware's timing. */
-final class TriangleSetup {
+/** Bit-exact triangle set-up: runs [[SetupProgram]] on one triangle, without the hardware's timing.
+  *
+  * @param planes that are wanted; the others' values are 0
+  */
+final class TriangleSetup(planes: Seq[Int] = SetupWords.AllPlanes) {
+  private val program = SetupProgram(planes)
   private val word = new Array[Int](Shared + SharedWords)
   SetupWords.constants.foreach { case (at, value) => word(at) = value }
 
@@ -24,22 +28,22 @@ final class TriangleSetup {
   /** Sets a triangle up; false when it faces away or is degenerate, and draws nothing. */
   def setup(v0: PackedVertex, v1: PackedVertex, v2: PackedVertex): Boolean = {
     fetch(v0, v1, v2)
-    run(SetupProgram.area)
+    run(program.area)
     word(Area) > 0 && {
       val shift = scala.math.min(java.lang.Integer.numberOfLeadingZeros(word(Area)) - 2, MaxShift)
       word(AreaNormal) = word(Area) << shift | 1 << 29 | 1
       word(Shift) = 1 << shift
       word(Shift4) = 1 << (shift + 4)
-      run(SetupProgram.attributes)
+      run(program.attributes)
       sliver = false
       overflow = false
-      run(SetupProgram.steps)
+      run(program.steps)
       if (overflow) {
         sliver = true
         word(Shift4) = word(Shift4) >>> 14
-        run(SetupProgram.steps)
+        run(program.steps)
       }
-      run(SetupProgram.gradients)
+      run(program.gradients)
       true
     }
   }
@@ -54,7 +58,7 @@ final class TriangleSetup {
     word(Right) = 16 * right + 8 - word(X0)
     word(Top) = 16 * top + 8 - word(Y0)
     word(Bottom) = 16 * bottom + 8 - word(Y0)
-    run(SetupProgram.edges)
+    run(program.edges)
   }
 
   /** Whether the corners given to [[edges]] hold no pixel of the triangle, as one edge function tells. */
@@ -64,7 +68,7 @@ final class TriangleSetup {
   def rebase(x: Int, y: Int): Unit = {
     word(PixelX_16) = (16 * x + 8 - word(X0)) << 16
     word(PixelY_16) = (16 * y + 8 - word(Y0)) << 16
-    run(SetupProgram.rebase)
+    run(program.rebase)
   }
 
   private def fetch(v0: PackedVertex, v1: PackedVertex, v2: PackedVertex): Unit = {
@@ -96,7 +100,7 @@ final class TriangleSetup {
     plane(PlaneA, 7)(_.a)
   }
 
-  private def run(program: Seq[SetupInstruction]): Unit = program.foreach { i =>
+  private def run(section: Seq[SetupInstruction]): Unit = section.foreach { i =>
     val b = word(i.b)
     val falls = (b < 0) != i.subtract
     val a =
