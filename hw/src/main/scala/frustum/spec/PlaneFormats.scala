@@ -23,7 +23,7 @@ final case class PlaneFormats(coordinate: Int = 0, depth: Int = 0, color: Int = 
 }
 
 object PlaneFormats {
-  val MostCoordinate = 16
-  val MostDepth      = 14
-  val MostColor      = 6
+  val MostCoordinate = 20
+  val MostDepth      = 24
+  val MostColor      = 11
 }

@@ -53,6 +53,12 @@ class CommandLinkTest extends AnyFunSuite {
     run(sim, config, traffic(config, 4, 6), 4, 0.1)
   }
 
+  test("and for hardware that cannot blend, clamp or write other than RGB565: states that ask for it are refused") {
+    val config = small.copy(fixed = FixedState(mask = 1 << 26 | 5 << 16 | 1 << 15, value = 0))
+    val sim    = FrustumSim.compile("CommandLink_fixed")(CommandLinkTop(config, dropWhenFull = false))
+    run(sim, config, traffic(config, 5, 20), 5, 0.2)
+  }
+
   test("a byte flipped, lost or added anywhere costs one command at most and is counted") {
     val t = new LinkTraffic(small, new Random(5))
     val commands = Seq(

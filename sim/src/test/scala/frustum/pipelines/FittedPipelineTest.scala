@@ -81,6 +81,6 @@ class FittedPipelineTest extends AnyFunSuite {
     assert(!f.neverBlends && FixedState.of(a).neverBlends && !FixedState.None.neverBlends)
     assert(FixedState.None.planes == SetupWords.AllPlanes)
     intercept[IllegalArgumentException](FixedState(1, 2))
-    intercept[IllegalArgumentException](PlaneFormats(coordinate = 17))
+    intercept[IllegalArgumentException](PlaneFormats(coordinate = 21))
   }
 }
