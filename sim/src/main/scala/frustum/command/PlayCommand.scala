@@ -2,11 +2,12 @@ package frustum.command
 
 import frustum.InputError
 import frustum.engine.{EngineSim, PongSession}
-import frustum.game.PongKeys
+import frustum.game.{PongKeys, VoxelKeys}
 import frustum.live.LiveScreen
 import frustum.picture.Picture
 import frustum.spec.VideoMode
 import scopt.OParser
+import java.nio.file.Path
 import java.util.Locale
 
 /** Arguments of `play`. */
@@ -14,13 +15,15 @@ final case class PlayOptions(
     what: String = "",
     mode: VideoMode = VideoMode.Vga640x480,
     frames: Option[Int] = None,
-    seed: Long = 1
+    seed: Long = 1,
+    voxel: VoxelOptions = VoxelOptions(size = (160, 120)),
+    fly: Boolean = false
 )
 
-/** `play pong`: the simulated hardware's screen in a window, with the keys as its buttons. */
+/** `play pong`, `play voxel`: the simulated hardware's screen in a window, with the keys as its buttons. */
 object PlayCommand extends CommandLine {
   val name    = "play"
-  val summary = "shows a system's simulated screen in a window and takes keys: play pong"
+  val summary = "shows a system's simulated screen in a window and takes keys: play pong, play voxel"
 
   private val parser: OParser[_, PlayOptions] = {
     val builder = OParser.builder[PlayOptions]
@@ -28,22 +31,33 @@ object PlayCommand extends CommandLine {
     OParser.sequence(
       programName("./sbt play"),
       head(s"play: $summary"),
-      arg[String]("pong").optional().action((v, o) => o.copy(what = v)).text("what to play: pong"),
+      arg[String]("pong|voxel").optional().action((v, o) => o.copy(what = v)).text("what to play"),
       opt[VideoMode]("mode")(
         Arguments.oneOf(PongOptions.modes: _*)
       ).valueName(PongOptions.modes.map(_._1).mkString("|"))
-        .action((v, o) => o.copy(mode = v)).text(s"(default ${PongOptions.modes.head._1})"),
+        .action((v, o) => o.copy(mode = v)).text(s"pong's (default ${PongOptions.modes.head._1})"),
+      opt[Path]("world")(Arguments.file).valueName("FILE").action((v, o) => o.copy(voxel = o.voxel.copy(world = Some(v))))
+        .text("voxel's: raw ids of 64x64x32 blocks, or MagicaVoxel .vox (default: hills from --seed)"),
+      opt[(Int, Int)]("size")(Arguments.size).valueName("WxH").action((v, o) => o.copy(voxel = o.voxel.copy(size = v)))
+        .text("voxel's, pixels (default 160x120)"),
+      opt[String]("engine")(Arguments.oneOf(Seq("hardware", "model").map(n => n -> n): _*)).valueName("hardware|model")
+        .action((v, o) => o.copy(voxel = o.voxel.copy(engine = v))).text("what draws voxel (default hardware)"),
+      opt[Unit]("fly").action((_, o) => o.copy(fly = true)).text("voxel: without gravity"),
       opt[Int]("frames")(Arguments.count).valueName("N").action((v, o) => o.copy(frames = Some(v)))
         .text("ends after so many (default: when the window is closed)"),
       opt[Long]("seed")(Arguments.seed).valueName("N").action((v, o) => o.copy(seed = v))
-        .text("of whatever is random at the start of the simulation (default 1)"),
-      note(s"  --help                   prints this\n\n${PongKeys.help}")
+        .text("of whatever is random at the start of the simulation, and of the hills (default 1)"),
+      note(s"  --help                   prints this\n\npong: ${PongKeys.help}\nvoxel: ${VoxelKeys.help}")
     )
   }
 
   def run(args: Seq[String]): Int = Arguments.parse(name, parser, args, PlayOptions()).fold(0) { o =>
-    if (o.what != "pong") throw InputError(s"argument: there is no '${o.what}' to play; write play pong")
-    play(o)
+    o.what match {
+      case "pong"  => play(o)
+      case "voxel" =>
+        PlayVoxel(VoxelScenes(o.voxel.copy(seed = o.seed)), o.voxel.engine == "hardware", o.fly, o.frames, o.seed)
+      case other => throw InputError(s"argument: there is no '$other' to play; write play pong or play voxel")
+    }
   }
 
   private def play(o: PlayOptions): Int = {

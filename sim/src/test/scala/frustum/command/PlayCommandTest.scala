@@ -26,4 +26,15 @@ class PlayCommandTest extends AnyFunSuite {
       case _               => fail(said)
     }
   }
+
+  for (engine <- Seq("model", "hardware")) test(s"play voxel shows a world in a window, engine $engine") {
+    assume(VirtualDisplay.isThere, "Xvfb is not installed")
+    val said = VirtualDisplay.run("frustum.command.Main", 300, "play", "voxel", "--frames", "3", "--size", "80x60", "--engine", engine)
+    assert(said.contains("3 frames, ") && said.contains("0 edits refused"), said)
+  }
+
+  test("nothing else can be played") {
+    val run = CommandRunner.run("play", "chess")
+    assert(run.code == 2 && run.err.head.contains("play voxel"))
+  }
 }

@@ -1,0 +1,48 @@
+package frustum.lab
+
+import frustum.engine.Engines
+import frustum.host.{DrawOptions, Driver}
+import frustum.judge.FrameJudge
+import frustum.raster.Interpolator
+import frustum.scene.Scenes
+import frustum.spec.{PlaneFormats, RasterConfig, Wrap}
+
+/** Lowest bits that the planes of s/w, t/w and 1/w go without: wrong texels of scenes by the bit-exact model. */
+object AttributeFamily extends ChartFamily {
+  val name = "attributes"
+
+  private val dropped = 0 to 12 by 2
+  private val scenes  = Seq("cube", "floor", "terrain")
+  private val judge   = new FrameJudge(Engines.model, simulated = false)
+
+  /** Wrong texels of 100 judged ones, from the scene's own camera. */
+  def wrongPercent(scene: String, bits: Int): Double = {
+    val s       = Scenes.byName(scene)
+    val config  = RasterConfig(formats = PlaneFormats(coordinate = bits))
+    val options = DrawOptions(None, cullBack = false, Wrap.Repeat, s.background)
+    val texels  = judge.drawModel(Driver.prepare(s, s.camera, options, config, 0))._1.texels
+    100.0 * texels.wrong / texels.judged
+  }
+
+  def charts(costs: Option[UnitCosts]): Seq[Chart] = {
+    val cost: Int => Double = costs match {
+      case Some(c) => n => {
+          val unit = c(s"interpolator without $n bits")(Interpolator(RasterConfig(formats = PlaneFormats(coordinate = n)), slots = 6))
+          (unit.luts + unit.flipFlops).toDouble
+        }
+      case None => n => 32.0 - n
+    }
+    val points = for (scene <- scenes; n <- dropped) yield ChartPoint(scene, s"${32 - n} bits", cost(n), wrongPercent(scene, n))
+    Seq(Chart(
+      "attribute-bits",
+      "Bits of the planes of s/w, t/w and 1/w",
+      if (costs.isDefined) "LUT and flip-flops of the interpolator, iCE40" else "bits",
+      "wrong texels, %",
+      points,
+      points.find(p => p.method == "floor" && p.setting == "32 bits"),
+      None,
+      1e-3,
+      "A bit less all but doubles what is wrong: values are cut, and a tile's steps add up what was cut. The perspective divide shrinks as well, which this cost leaves out."
+    ))
+  }
+}
