@@ -10,5 +10,5 @@ trait ChartFamily {
 
 object ChartFamily {
   val all: Seq[ChartFamily] =
-    Seq(ReciprocalFamily, SpanFamily, AttributeFamily, DepthFamily, SubpixelFamily, ColorFamily, LeapFamily, DirectionFamily)
+    Seq(ReciprocalFamily, AreaFamily, RootFamily, SpanFamily, AttributeFamily, DepthFamily, SubpixelFamily, ColorFamily, LeapFamily, DirectionFamily)
 }

@@ -39,6 +39,27 @@ class ChartTest extends AnyFunSuite {
     assert(z.last / z(3) > 50 && float.last / float(3) < 1.5)
   }
 
+  test("area: each Newton step squares the error until 30 bits end it; three steps are enough") {
+    val errors = series(AreaFamily.charts(None).head, "from a line")
+    for (n <- 0 to 1) assert(scala.math.abs(errors(n + 1) / (errors(n) * errors(n)) - 1) < 0.1, s"step $n")
+    assert(scala.math.abs(errors.head * 17 - 1) < 0.01 && errors(3) < 4e-9 && errors(4) < 4e-9)
+  }
+
+  test("roots: a line quarters its error with each index bit; the shade's tables are no worse than a line of as many entries") {
+    for (chart <- RootFamily.charts(None)) {
+      val line = series(chart, "table and line")
+      for (n <- 1 to 3) assert(line(n) / line(n + 1) > 2.8 && line(n) / line(n + 1) < 4.6, s"${chart.name}, $n")
+      assert(chart.shipped.get.error < 1.5 * line(3), chart.name)
+    }
+  }
+
+  test("attributes: with all bits next to no texel is wrong, each bit less makes more") {
+    for (scene <- Seq("cube", "floor")) {
+      val wrong = Seq(0, 4, 8, 12).map(AttributeFamily.wrongPercent(scene, _))
+      assert(wrong.head < 0.01 && wrong == wrong.sorted && wrong(2) > 3 * wrong(1), s"$scene: $wrong")
+    }
+  }
+
   test("sub-pixel bits: each halves what is wrong") {
     for (bits <- 1 to 5) {
       val ratio = SubpixelFamily.wrongPercent(bits, 1) / SubpixelFamily.wrongPercent(bits + 1, 1)
