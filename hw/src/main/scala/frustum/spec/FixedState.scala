@@ -21,11 +21,11 @@ final case class FixedState(mask: Int, value: Int) {
   def planes: Seq[Int] = {
     import SetupWords._
     def is(bits: Int, constant: Int) = (mask & bits) == bits && (this.value & bits) == constant
-    val none = Seq(
-      is(FixedState.CombineBits, Combine.ColorOnly.code << 20) -> Seq(PlaneS, PlaneT, PlaneQ),
-      is(FixedState.CombineBits, Combine.Replace.code << 20)   -> Seq(PlaneR, PlaneG, PlaneB),
+    val none                         = Seq(
+      is(FixedState.CombineBits, Combine.ColorOnly.code << 20)  -> Seq(PlaneS, PlaneT, PlaneQ),
+      is(FixedState.CombineBits, Combine.Replace.code << 20)    -> Seq(PlaneR, PlaneG, PlaneB),
       is(FixedState.Functions, DepthFunction.Always.code << 22) -> Seq(PlaneZ),
-      (neverBlends && is(FixedState.AlphaRef, 0))              -> Seq(PlaneA)
+      (neverBlends && is(FixedState.AlphaRef, 0))               -> Seq(PlaneA)
     ).collect { case (true, planes) => planes }.flatten
     AllPlanes.diff(none)
   }
@@ -37,7 +37,9 @@ final case class FixedState(mask: Int, value: Int) {
   def fault(s: RenderState): Option[String] = {
     val differs = (FixedState.word(s) ^ value) & mask
     Option.when(differs != 0)(
-      "needs another " + FixedState.fields.collect { case (name, bits) if (differs & bits) != 0 => name }.mkString(", ")
+      "needs another " + FixedState.fields.collect {
+        case (name, bits) if (differs & bits) != 0 => name
+      }.mkString(", ")
     )
   }
 }
@@ -70,7 +72,7 @@ object FixedState {
     "wrap"            -> (15 << 16),
     "combine"         -> CombineBits,
     "depth function"  -> (15 << 22),
-    "blending"                -> Blend,
+    "blending"        -> Blend,
     "alpha test"      -> AlphaRef
   )
 }

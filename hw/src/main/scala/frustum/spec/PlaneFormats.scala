@@ -12,11 +12,18 @@ final case class PlaneFormats(coordinate: Int = 0, depth: Int = 0, color: Int = 
     coordinate >= 0 && coordinate <= PlaneFormats.MostCoordinate,
     s"coordinates without $coordinate bits: 0..${PlaneFormats.MostCoordinate}"
   )
-  require(depth >= 0 && depth <= PlaneFormats.MostDepth, s"depth without $depth bits: 0..${PlaneFormats.MostDepth}")
-  require(color >= 0 && color <= PlaneFormats.MostColor, s"colours without $color bits: 0..${PlaneFormats.MostColor}")
+  require(
+    depth >= 0 && depth <= PlaneFormats.MostDepth,
+    s"depth without $depth bits: 0..${PlaneFormats.MostDepth}"
+  )
+  require(
+    color >= 0 && color <= PlaneFormats.MostColor,
+    s"colours without $color bits: 0..${PlaneFormats.MostColor}"
+  )
 
   /** Bits that plane p goes without. */
-  def dropped(p: Int): Int = if (p < SetupWords.PlaneZ) coordinate else if (p == SetupWords.PlaneZ) depth else color
+  def dropped(p: Int): Int =
+    if (p < SetupWords.PlaneZ) coordinate else if (p == SetupWords.PlaneZ) depth else color
 
   /** A coefficient or a value of plane p without them. */
   def cut(p: Int, value: Int): Int = value >> dropped(p) << dropped(p)

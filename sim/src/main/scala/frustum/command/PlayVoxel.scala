@@ -27,11 +27,16 @@ object PlayVoxel {
     else play(scene, fly, frames, None)
   }
 
-  private def play(scene: VoxelScene, fly: Boolean, frames: Option[Int], session: Option[VoxelSession]): Int = {
+  private def play(
+      scene: VoxelScene,
+      fly: Boolean,
+      frames: Option[Int],
+      session: Option[VoxelSession]
+  ): Int = {
     val VoxelScene(config, assets, _, views) = scene
-    val rules                                = VoxelRules(config.size, assets.table.blocks.length, gravity = !fly)
-    val scale                                = (640 / config.width).max(1)
-    val screen                               = LiveScreen("Frustum: world of blocks", config.width, config.height, scale)
+    val rules  = VoxelRules(config.size, assets.table.blocks.length, gravity = !fly)
+    val scale  = (640 / config.width).max(1)
+    val screen = LiveScreen("Frustum: world of blocks", config.width, config.height, scale)
     try {
       var model  = new VoxelModel(config, assets, scene.world)
       var player = start(views.head)
@@ -50,29 +55,36 @@ object PlayVoxel {
           model = new VoxelModel(config, assets, model.world.updated(e.x, e.y, e.z, e.id))
           session.foreach(_.load(model.words, old))
         }
-        screen.show(crosshair(draw(model, camera, session), config), state(player, assets.table(player.item).name))
+        screen.show(
+          crosshair(draw(model, camera, session), config),
+          state(player, assets.table(player.item).name)
+        )
         shown += 1
       }
       val rate = shown * 1e9 / (System.nanoTime - started)
-      println(s"$shown frames, ${"%.1f".formatLocal(Locale.ROOT, rate)} a second, ${player.refused} edits refused")
+      println(
+        s"$shown frames, ${"%.1f".formatLocal(Locale.ROOT, rate)} a second, ${player.refused} edits refused"
+      )
       0
     } finally screen.close()
   }
 
-  private def draw(model: VoxelModel, camera: VoxelCamera, session: Option[VoxelSession]): Array[Int] = session match {
-    case Some(s) => s.frame(camera, highlight = true).picture
-    case None    =>
-      val c      = model.config
-      val chosen = model.pointedAt(camera, VoxelConfig.Reach)
-      Array.tabulate(c.pixels)(n => model.pixel(camera, n % c.width, n / c.width, chosen).color)
-  }
+  private def draw(model: VoxelModel, camera: VoxelCamera, session: Option[VoxelSession]): Array[Int] =
+    session match {
+      case Some(s) => s.frame(camera, highlight = true).picture
+      case None    =>
+        val c      = model.config
+        val chosen = model.pointedAt(camera, VoxelConfig.Reach)
+        Array.tabulate(c.pixels)(n => model.pixel(camera, n % c.width, n / c.width, chosen).color)
+    }
 
   private def start(v: VoxelView): VoxelPlayer = {
     def fixed(x: Double) = (256 * x).round.toInt
     VoxelPlayer(
       IntVector(fixed(v.eye.x), fixed(v.eye.y), (fixed(v.eye.z) - VoxelPlayer.EyeHeight).max(0)),
       yaw = (v.yaw / 360 * VoxelPlayer.Turn).round.toInt,
-      pitch = (v.pitch / 360 * VoxelPlayer.Turn).round.toInt.max(-VoxelPlayer.MostPitch).min(VoxelPlayer.MostPitch)
+      pitch =
+        (v.pitch / 360 * VoxelPlayer.Turn).round.toInt.max(-VoxelPlayer.MostPitch).min(VoxelPlayer.MostPitch)
     )
   }
 

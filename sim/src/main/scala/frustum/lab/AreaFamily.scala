@@ -11,7 +11,8 @@ object AreaFamily extends ChartFamily {
   private val Places                         = 4001
   private def word(value: Double, bits: Int) = round(value * pow(2, bits)) / pow(2, bits)
   private def line(d: Double)                = 48.0 / 17 - 32.0 / 17 * d
-  private def table(bits: Int)(d: Double)    = word(1 / ((floor(2 * d * pow(2, bits)) + 0.5) / pow(2, bits) / 2), bits + 3)
+  private def table(bits: Int)(d: Double)    =
+    word(1 / ((floor(2 * d * pow(2, bits)) + 0.5) / pow(2, bits) / 2), bits + 3)
 
   /** Greatest |x d - 1| after so many steps x + x (1 - d x). */
   def error(guess: Double => Double, steps: Int): Double = (0 until Places).map { i =>
@@ -21,7 +22,8 @@ object AreaFamily extends ChartFamily {
   }.max
 
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
-    val lines  = for (steps <- 0 to 4) yield ChartPoint("from a line", s"$steps steps", 1 + 2 * steps, error(line, steps))
+    val lines = for (steps <- 0 to 4)
+      yield ChartPoint("from a line", s"$steps steps", 1 + 2 * steps, error(line, steps))
     val tables = for (bits <- Seq(4, 8); steps <- 0 to 3)
       yield ChartPoint(s"from a table of 2^$bits", s"$steps steps", 2 * steps, error(table(bits), steps))
     Seq(Chart(

@@ -28,7 +28,11 @@ final case class View(turn: Double, elevation: Double, distance: Double) {
 }
 
 /** The views that a configuration has to be good for; both ends included. */
-final case class CameraVolume(turn: (Double, Double), elevation: (Double, Double), distance: (Double, Double)) {
+final case class CameraVolume(
+    turn: (Double, Double),
+    elevation: (Double, Double),
+    distance: (Double, Double)
+) {
   def random(r: Random): View = View(
     within(turn, r.nextDouble()),
     within(elevation, r.nextDouble()),
@@ -49,14 +53,23 @@ object CameraVolume {
 
   /** JSON: `{"turn": [low, high], "elevation": [low, high], "distance": [low, high]}`; what is absent is as by default. */
   def read(file: Path): CameraVolume = {
-    val json = Try(ujson.read(InputFile.text(file, "give a camera volume")).obj).recover { case e: InputError => throw e }
-      .getOrElse(throw InputError(s"$file: is no JSON object; write {${keys.map(k => s""""$k": [low, high]""").mkString(", ")}}"))
-    json.keys.find(!keys.contains(_)).foreach(k => throw InputError(s"$file: there is no '$k'; keys are ${keys.mkString(", ")}"))
-    def range(key: String, otherwise: (Double, Double), least: Double): (Double, Double) = json.get(key).fold(otherwise) { v =>
-      Try((v(0).num, v(1).num)).toOption.filter { case (a, b) => v.arr.length == 2 && least < a && a <= b && b < 1e6 }.getOrElse(
-        throw InputError(s"$file: $key is $v; give [low, high], above $least and in this order")
-      )
+    val json = Try(ujson.read(InputFile.text(file, "give a camera volume")).obj).recover {
+      case e: InputError => throw e
     }
+      .getOrElse(throw InputError(
+        s"$file: is no JSON object; write {${keys.map(k => s""""$k": [low, high]""").mkString(", ")}}"
+      ))
+    json.keys.find(!keys.contains(_)).foreach(k =>
+      throw InputError(s"$file: there is no '$k'; keys are ${keys.mkString(", ")}")
+    )
+    def range(key: String, otherwise: (Double, Double), least: Double): (Double, Double) =
+      json.get(key).fold(otherwise) { v =>
+        Try((v(0).num, v(1).num)).toOption.filter { case (a, b) =>
+          v.arr.length == 2 && least < a && a <= b && b < 1e6
+        }.getOrElse(
+          throw InputError(s"$file: $key is $v; give [low, high], above $least and in this order")
+        )
+      }
     CameraVolume(
       range("turn", default.turn, -1e6),
       range("elevation", default.elevation, -1e6),

@@ -21,7 +21,8 @@ object Convexity {
     def beyond(n: Vector3d, d: Double) = points.map(p => n.dot(p) - d)
     if (planes.isEmpty || scene.materials.exists(_.blend)) None
     else if (planes.forall { case (n, d) => beyond(n, d).forall(_.abs <= tolerance) }) Some(Flat)
-    else if (planes.forall { case (n, d) => beyond(n, d).forall(_ <= tolerance) } && closed(scene)) Some(Solid)
+    else if (planes.forall { case (n, d) => beyond(n, d).forall(_ <= tolerance) } && closed(scene))
+      Some(Solid)
     else None
   }
 

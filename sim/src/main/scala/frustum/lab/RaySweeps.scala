@@ -10,7 +10,7 @@ object RaySweeps {
   /** Over a screen that many pixels wide; greatest colour error, 255 when a silhouette, a shadow, a checker cell or an object is wrong anywhere. */
   private def error(width: Int, centre: IntVector, radius: Int, light: IntVector): Double = {
     val height = width * 3 / 4
-    val scene = PongScene.room(width, height, 640 / width).copy(
+    val scene  = PongScene.room(width, height, 640 / width).copy(
       spheres = Seq(RaySphere(centre, centre, radius, 0xff0000)),
       light = Some(light)
     )
@@ -32,7 +32,12 @@ object RaySweeps {
       error(80, middle, r.toInt, IntVector(-300, 230, 20))
     ),
     Sweep(ValidFor.LightDistance, 0, 300, 16, whole = true)(d =>
-      error(640, IntVector(PongScene.Light.x, PongScene.Light.y, PongScene.Light.z + 20 + d.toInt), 20, PongScene.Light)
+      error(
+        640,
+        IntVector(PongScene.Light.x, PongScene.Light.y, PongScene.Light.z + 20 + d.toInt),
+        20,
+        PongScene.Light
+      )
     )
   )
 }

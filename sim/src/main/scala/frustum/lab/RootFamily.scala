@@ -12,10 +12,24 @@ object RootFamily extends ChartFamily {
   private val Places = 1 << 16
   private val Bits   = 16
 
-  private final case class Function(name: String, title: String, least: Double, of: Double => Double, ours: FunctionTable, scale: Double)
+  private final case class Function(
+      name: String,
+      title: String,
+      least: Double,
+      of: Double => Double,
+      ours: FunctionTable,
+      scale: Double
+  )
   private val functions = Seq(
     Function("root", "Square root", 1.0 / 64, sqrt, new FunctionTable(true, x => 65536 * sqrt(x)), 65536),
-    Function("reciprocal-root", "Reciprocal square root", 1.0 / 16, x => 1 / sqrt(x), new FunctionTable(false, x => 16384 / sqrt(x)), 16384)
+    Function(
+      "reciprocal-root",
+      "Reciprocal square root",
+      1.0 / 16,
+      x => 1 / sqrt(x),
+      new FunctionTable(false, x => 16384 / sqrt(x)),
+      16384
+    )
   )
 
   private def word(v: Double) = round(v * pow(2, Bits)) / pow(2, Bits)
@@ -53,7 +67,8 @@ object RootFamily extends ChartFamily {
         ("table and Newton step", newton(bits, f.name != "root") _, size)
       )
     } yield ChartPoint(method, s"2^$bits entries", cost, error(f, approximation))
-    val ours = ChartPoint("FunctionTable", "2^8 entries", 8, error(f, x => f.ours((x * Places).toInt) / f.scale))
+    val ours =
+      ChartPoint("FunctionTable", "2^8 entries", 8, error(f, x => f.ours((x * Places).toInt) / f.scale))
     Chart(
       s"roots-${f.name}",
       f.title,
@@ -63,7 +78,9 @@ object RootFamily extends ChartFamily {
       Some(ours),
       None,
       1e-7,
-      "A line costs one multiplier, a Newton step three products in a row" + (if (f.name == "root") " and one more for the root." else "."),
+      "A line costs one multiplier, a Newton step three products in a row" + (if (f.name == "root")
+                                                                                " and one more for the root."
+                                                                              else "."),
       logCost = true
     )
   }

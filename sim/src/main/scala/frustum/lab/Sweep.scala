@@ -46,7 +46,9 @@ final case class SweepResult(sweep: Sweep, trials: Seq[Trial], borders: Seq[Bord
     val promises = trials.collect {
       case t if sweep.domain.contains(t.value) && t.state != Stability.Safe =>
         s"${sweep.name} ${t.value} is in the declared domain and ${t.state.name}: " +
-          t.error.fold(t.reason.mkString)(e => s"off by $e ${sweep.domain.errorUnit}, bound ${sweep.domain.bound}")
+          t.error.fold(t.reason.mkString)(e =>
+            s"off by $e ${sweep.domain.errorUnit}, bound ${sweep.domain.bound}"
+          )
     }
     promises ++ stretches.collect { case (from, to, Stability.Broken) =>
       s"${sweep.name} from $from to $to is drawn broken, and nothing refuses it"

@@ -16,7 +16,13 @@ class VoxelPlayerTest extends AnyFunSuite {
   private def at(x: Double, y: Double, z: Double, yaw: Int = 0) =
     VoxelPlayer(IntVector((256 * x).toInt, (256 * y).toInt, (256 * z).toInt), yaw)
 
-  private def run(p: VoxelPlayer, b: VoxelButtons, n: Int, solid: (Int, Int, Int) => Boolean = floor, r: VoxelRules = rules) =
+  private def run(
+      p: VoxelPlayer,
+      b: VoxelButtons,
+      n: Int,
+      solid: (Int, Int, Int) => Boolean = floor,
+      r: VoxelRules = rules
+  ) =
     (0 until n).foldLeft(p)((q, _) => q.tick(b, r, solid))
 
   test("falls onto the ground and stays there; flies where there is no gravity") {
@@ -41,7 +47,7 @@ class VoxelPlayerTest extends AnyFunSuite {
 
   test("a jump clears one block and not two") {
     def wall(height: Int)(x: Int, y: Int, z: Int) = z < 4 || x >= 10 && z < 4 + height
-    val buttons = VoxelButtons(forward = true, up = true)
+    val buttons                                   = VoxelButtons(forward = true, up = true)
     assert(run(at(8, 8, 4), buttons, 60, wall(1)).feet.x > 11 * 256)
     val stopped = run(at(8, 8, 4), buttons, 60, wall(2)).feet
     assert(stopped.x <= 10 * 256 - VoxelPlayer.HalfWidth)
@@ -58,11 +64,27 @@ class VoxelPlayerTest extends AnyFunSuite {
     for (seed <- 1 to 20) {
       val random = new Random(seed)
       val solids = Array.fill(16 * 16 * 16)(random.nextInt(8) == 0)
-      val solid  = (x: Int, y: Int, z: Int) => z < 0 || size.contains(x, y, z) && z < 12 && solids(size.address(x, y, z))
-      var p      = at(8.5, 8.5, 13)
+      val solid  =
+        (x: Int, y: Int, z: Int) => z < 0 || size.contains(x, y, z) && z < 12 && solids(size.address(x, y, z))
+      var p = at(8.5, 8.5, 13)
       for (_ <- 0 until 500) {
         def press() = random.nextInt(3) == 0
-        p = p.tick(VoxelButtons(press(), press(), press(), press(), press(), press(), press(), press(), press(), press()), rules, solid)
+        p = p.tick(
+          VoxelButtons(
+            press(),
+            press(),
+            press(),
+            press(),
+            press(),
+            press(),
+            press(),
+            press(),
+            press(),
+            press()
+          ),
+          rules,
+          solid
+        )
         assert(!VoxelPlayer.touches(p.feet, solid) && VoxelPlayer.inRange(p.feet, size), s"seed $seed: $p")
         assert(p.pitch.abs <= VoxelPlayer.MostPitch && p.yaw >= 0 && p.yaw < VoxelPlayer.Turn)
       }
@@ -78,28 +100,40 @@ class VoxelPlayerTest extends AnyFunSuite {
   }
 
   test("destroys what is pointed at, places before the face that is seen, once a press") {
-    val p                      = at(8, 8, 4).copy(item = 7)
-    val none                   = VoxelButtons()
-    val (place, destroy)       = (VoxelButtons(place = true), VoxelButtons(destroy = true))
-    def seen(face: Int)        = Some(SeenFace(3, 4, 5, 1, face, 0, 0))
+    val p                = at(8, 8, 4).copy(item = 7)
+    val none             = VoxelButtons()
+    val (place, destroy) = (VoxelButtons(place = true), VoxelButtons(destroy = true))
+    def seen(face: Int)  = Some(SeenFace(3, 4, 5, 1, face, 0, 0))
     assert(p.edit(destroy, none, seen(0), rules)._2.contains(VoxelEdit(3, 4, 5, 0)))
     val beside = Seq((2, 4, 5), (4, 4, 5), (3, 3, 5), (3, 5, 5), (3, 4, 4), (3, 4, 6))
-    for (((x, y, z), face) <- beside.zipWithIndex) assert(p.edit(place, none, seen(face), rules)._2.contains(VoxelEdit(x, y, z, 7)))
-    assert(p.edit(place, place, seen(0), rules) == ((p, None)) && p.edit(destroy, destroy, seen(0), rules) == ((p, None)))
+    for (((x, y, z), face) <- beside.zipWithIndex)
+      assert(p.edit(place, none, seen(face), rules)._2.contains(VoxelEdit(x, y, z, 7)))
+    assert(p.edit(place, place, seen(0), rules) == ((
+      p,
+      None
+    )) && p.edit(destroy, destroy, seen(0), rules) == ((p, None)))
     assert(p.edit(place, none, None, rules) == ((p, None)))
   }
 
   test("placing outside of the world or into oneself is refused and counted") {
     val place = VoxelButtons(place = true)
     val p     = at(8.5, 8.5, 4)
-    for (f <- Seq(SeenFace(0, 5, 5, 1, 0, 0, 0), SeenFace(5, 5, 15, 1, 5, 0, 0), SeenFace(8, 8, 3, 1, 5, 0, 0), SeenFace(7, 8, 5, 1, 1, 0, 0))) {
+    for (
+      f <- Seq(
+        SeenFace(0, 5, 5, 1, 0, 0, 0),
+        SeenFace(5, 5, 15, 1, 5, 0, 0),
+        SeenFace(8, 8, 3, 1, 5, 0, 0),
+        SeenFace(7, 8, 5, 1, 1, 0, 0)
+      )
+    ) {
       val (counted, edit) = p.edit(place, VoxelButtons(), Some(f), rules)
       assert(edit.isEmpty && counted.refused == 1, f)
     }
   }
 
   test("water does not stop anybody, glass does") {
-    val solid = VoxelPlayer.solid(Blocks.table, (x, _, _) => Seq(0, Blocks.id("water"), Blocks.id("glass"))(x))
+    val solid =
+      VoxelPlayer.solid(Blocks.table, (x, _, _) => Seq(0, Blocks.id("water"), Blocks.id("glass"))(x))
     assert((0 to 2).map(solid(_, 0, 0)) == Seq(false, false, true))
   }
 

@@ -14,22 +14,36 @@ class FitTest extends AnyFunSuite {
   private val small = RasterConfig(width = 80, height = 64)
 
   private def fit(scene: Scene, budget: FitBudget): FitResult = {
-    val features = FitFeatures(scene, small, DrawOptions(None, cullBack = false, Wrap.Repeat, scene.background))
+    val features =
+      FitFeatures(scene, small, DrawOptions(None, cullBack = false, Wrap.Repeat, scene.background))
     new Fit(scene, features, budget, CameraVolume.default, seed, info(_)).run()
   }
 
   /** The cube with a picture of so many texels a side, each of its own colour. */
   private def cube(side: Int): Scene = {
     val random  = new Random(seed)
-    val picture = TextureImage(side, side, IndexedSeq.fill(side * side)(0xff000000 | random.nextInt(1 << 24)), hasAlpha = false)
+    val picture = TextureImage(
+      side,
+      side,
+      IndexedSeq.fill(side * side)(0xff000000 | random.nextInt(1 << 24)),
+      hasAlpha = false
+    )
     Scenes.cube.copy(materials = IndexedSeq(Material.textured("noise", picture, 1)))
   }
 
-  test("a planted scene whose texels are 16 times finer needs 3 to 5 bits more; each answer breaks with one bit less") {
+  test(
+    "a planted scene whose texels are 16 times finer needs 3 to 5 bits more; each answer breaks with one bit less"
+  ) {
     val answers = Seq(8, 128).map { side =>
       val result = fit(cube(side), FitBudget(2, None, None))
-      assert(result.met && result.trained.forall { case (_, e) => result.budget.share(e) <= 1 }, s"$side, seed $seed")
-      assert(result.oneBitLess.map(_._1) == Seq("coordinate") && result.oneBitLess.forall(_._2 > Fit.Margin), result.oneBitLess)
+      assert(
+        result.met && result.trained.forall { case (_, e) => result.budget.share(e) <= 1 },
+        s"$side, seed $seed"
+      )
+      assert(
+        result.oneBitLess.map(_._1) == Seq("coordinate") && result.oneBitLess.forall(_._2 > Fit.Margin),
+        result.oneBitLess
+      )
       result.features.config.formats.coordinate
     }
     assert(answers.head - answers(1) >= 3 && answers.head - answers(1) <= 5, answers)
@@ -39,7 +53,13 @@ class FitTest extends AnyFunSuite {
     val result = fit(Scenes.teapot(3), FitBudget(1, Some(1), Some(0.025)))
     val f      = result.features.config.formats
     assert(result.features.options.depthTest && f.coordinate == 0 && f.depth > 0 && f.color > 0, f)
-    assert(result.met && result.oneBitLess.map(_._1) == Seq("depth", "color") && result.oneBitLess.forall(_._2 > Fit.Margin), result)
+    assert(
+      result.met && result.oneBitLess.map(_._1) == Seq(
+        "depth",
+        "color"
+      ) && result.oneBitLess.forall(_._2 > Fit.Margin),
+      result
+    )
     assert(fit(Scenes.teapot(3), FitBudget(1, None, None)).features.config.formats == PlaneFormats())
   }
 
@@ -67,15 +87,17 @@ class FitTest extends AnyFunSuite {
     val random = new Random(seed)
     val own    = Scenes.cube.camera
     for (_ <- 0 until 200) {
-      val v    = volume.near(volume.random(random), 0.5, random)
-      val eye  = v.camera(own).eye
+      val v   = volume.near(volume.random(random), 0.5, random)
+      val eye = v.camera(own).eye
       assert(v.turn >= -40 && v.turn <= 90 && v.distance >= 0.5 && v.distance <= 2)
       assert((eye.distance(own.at) / own.eye.distance(own.at) / v.distance - 1).abs < 1e-9)
       assert(scala.math.abs(eye.y / eye.length) < 0.9999)
     }
     assert(View(0, 0, 1).camera(own).eye.distance(own.eye) < 1e-12)
     val higher = View(0, 5, 1).camera(own).eye
-    assert((scala.math.asin(higher.y / higher.length) - scala.math.asin(own.eye.y / own.eye.length)).toDegrees.round == 5)
+    assert((scala.math.asin(higher.y / higher.length) - scala.math.asin(
+      own.eye.y / own.eye.length
+    )).toDegrees.round == 5)
   }
 
   test("of 40 views none over: at most 7.2 % of all, with 95 % confidence; one over: 11.3 %") {
@@ -96,28 +118,56 @@ class FitTest extends AnyFunSuite {
   test("the command: report, data, picture, page; a volume of the user's") {
     val out = Files.createTempDirectory("fit").resolve("cube.json")
     val run = CommandRunner.run(
-      "fit", "--scene", "cube", "--texels-wrong", "2", "--size", "80x64", "--no-synthesis",
-      "--volume", volume("""{"turn": [-5, 5], "distance": [1, 1.1]}""").toString, "--out", out.toString
+      "fit",
+      "--scene",
+      "cube",
+      "--texels-wrong",
+      "2",
+      "--size",
+      "80x64",
+      "--no-synthesis",
+      "--volume",
+      volume("""{"turn": [-5, 5], "distance": [1, 1.1]}""").toString,
+      "--out",
+      out.toString
     )
     assert(run.code == 0, run)
     val report = ujson.read(Files.readString(out))
-    assert(report("met").bool && report("heldOutViews").num == 40 && report("hardwareVsModel")("pixelsDifferent").num == 0)
+    assert(report(
+      "met"
+    ).bool && report("heldOutViews").num == 40 && report("hardwareVsModel")("pixelsDifferent").num == 0)
     assert(report("configuration")("coordinate").num > 0 && run.out.contains(report("scala").str))
     assert(report("oneBitLess")("coordinate").num > Fit.Margin)
-    for (f <- Seq("cube.csv", "cube-worst.png", "index.html")) assert(Files.size(out.resolveSibling(f)) > 100, f)
-    for (line <- Files.readString(out.resolveSibling("cube.csv")).linesIterator.drop(1)) assert(line.split(',')(1).toDouble.abs <= 5)
+    for (f <- Seq("cube.csv", "cube-worst.png", "index.html"))
+      assert(Files.size(out.resolveSibling(f)) > 100, f)
+    for (line <- Files.readString(out.resolveSibling("cube.csv")).linesIterator.drop(1))
+      assert(line.split(',')(1).toDouble.abs <= 5)
   }
 
   for (
     (args, said) <- Seq(
-      Seq("--texels-wrong", "1")                                                         -> "no scene",
-      Seq("--scene", "cube")                                                             -> "texels-wrong",
-      Seq("--scene", "cube", "--texels-wrong", "0")                                      -> "above 0",
-      Seq("--scene", "cube", "--texels-wrong", "1", "--top", "arty-pong")                -> "icebreaker-raster",
-      Seq("--scene", "cube", "--texels-wrong", "1", "--volume", "/no/such.json")         -> "/no/such.json",
-      Seq("--scene", "cube", "--texels-wrong", "1", "--volume", volume("[]").toString)   -> "JSON object",
-      Seq("--scene", "cube", "--texels-wrong", "1", "--volume", volume("""{"turn": [3, 1]}""").toString) -> "turn",
-      Seq("--scene", "cube", "--texels-wrong", "1", "--volume", volume("""{"roll": [0, 1]}""").toString) -> "roll"
+      Seq("--texels-wrong", "1")                                                       -> "no scene",
+      Seq("--scene", "cube")                                                           -> "texels-wrong",
+      Seq("--scene", "cube", "--texels-wrong", "0")                                    -> "above 0",
+      Seq("--scene", "cube", "--texels-wrong", "1", "--top", "arty-pong")              -> "icebreaker-raster",
+      Seq("--scene", "cube", "--texels-wrong", "1", "--volume", "/no/such.json")       -> "/no/such.json",
+      Seq("--scene", "cube", "--texels-wrong", "1", "--volume", volume("[]").toString) -> "JSON object",
+      Seq(
+        "--scene",
+        "cube",
+        "--texels-wrong",
+        "1",
+        "--volume",
+        volume("""{"turn": [3, 1]}""").toString
+      ) -> "turn",
+      Seq(
+        "--scene",
+        "cube",
+        "--texels-wrong",
+        "1",
+        "--volume",
+        volume("""{"roll": [0, 1]}""").toString
+      ) -> "roll"
     )
   ) test(s"refused: ${args.map(a => if (a.startsWith("/")) "FILE" else a).mkString(" ")}: $said") {
     val run = CommandRunner.run("fit" +: args: _*)

@@ -18,10 +18,20 @@ class FittedPipelineTest extends AnyFunSuite {
     DrawOptions(None, cullBack = !depthTest, Wrap.Repeat, scene.background, depthTest = depthTest)
 
   private def prepare(scene: Scene, config: RasterConfig, depthTest: Boolean = true) =
-    (0 to 1).map(i => Driver.prepare(scene, scene.camera, options(scene, depthTest).copy(turnDegrees = 25 * i), config, i))
+    (0 to 1).map(i =>
+      Driver.prepare(scene, scene.camera, options(scene, depthTest).copy(turnDegrees = 25 * i), config, i)
+    )
 
-  private def images(engine: String, scene: Scene, config: RasterConfig, depthTest: Boolean = true): Seq[Seq[Int]] =
-    Engines.byName(engine).make(EngineOptions(seed, None)).render(prepare(scene, config, depthTest)).map(_.image.toSeq)
+  private def images(
+      engine: String,
+      scene: Scene,
+      config: RasterConfig,
+      depthTest: Boolean = true
+  ): Seq[Seq[Int]] =
+    Engines.byName(engine).make(EngineOptions(
+      seed,
+      None
+    )).render(prepare(scene, config, depthTest)).map(_.image.toSeq)
 
   private def fixedFor(scene: Scene, depthTest: Boolean): FixedState =
     FixedState.of(prepare(scene, small, depthTest).flatMap(_.passes).flatMap(_.states): _*)
@@ -41,7 +51,8 @@ class FittedPipelineTest extends AnyFunSuite {
     assert(config.fixed.planes.map("stqzrgba".charAt(_)).mkString == planes)
     val model = images("model", scene, config, depthTest)
     assert(images("pipeline", scene, config, depthTest) == model, s"seed $seed")
-    if (formats == PlaneFormats()) assert(model == images("model", scene, small, depthTest), "the full pipeline draws another picture")
+    if (formats == PlaneFormats())
+      assert(model == images("model", scene, small, depthTest), "the full pipeline draws another picture")
   }
 
   test("bits that planes go without change the picture") {
@@ -51,9 +62,12 @@ class FittedPipelineTest extends AnyFunSuite {
   }
 
   test("fewer planes: set-up is shorter") {
-    val scene               = Scenes.byName("cube")
+    val scene                   = Scenes.byName("cube")
     def clocks(c: RasterConfig) =
-      new PipelineEngine(EngineOptions(seed, None)).render(prepare(scene, c, depthTest = false)).map(_.clocks.get).sum
+      new PipelineEngine(EngineOptions(
+        seed,
+        None
+      )).render(prepare(scene, c, depthTest = false)).map(_.clocks.get).sum
     val (full, fitted) = (clocks(small), clocks(small.copy(fixed = fixedFor(scene, depthTest = false))))
     info(s"$full clocks with everything, $fitted as fitted")
     assert(fitted < 0.95 * full)

@@ -1,7 +1,7 @@
 package frustum.raster
 
 import frustum.judge.{CoverageJudge, LoggedFragment}
-import frustum.model.raster.{FragmentSink, Rasterizer}
+import frustum.model.raster.{Rasterizer, ScreenFragments}
 import frustum.reference.raster.ExactCoverage
 import frustum.spec._
 import org.scalatest.funsuite.AnyFunSuite
@@ -18,29 +18,7 @@ class RasterizerCoverageTest extends AnyFunSuite {
   /** The pixels each triangle of a pass covers, by the model. */
   private def drawn(config: RasterConfig, pass: FramePass): ArrayBuffer[LoggedFragment] = {
     val log = ArrayBuffer.empty[LoggedFragment]
-    Rasterizer(config).draw(
-      pass,
-      new FragmentSink {
-        private var (left, top)        = (0, 0)
-        def tile(x: Int, y: Int): Unit = { left = x * config.tileWidth; top = y * config.tileHeight }
-        def fragment(
-            n: Int,
-            state: RenderState,
-            x: Int,
-            y: Int,
-            s: Int,
-            t: Int,
-            q: Int,
-            z: Int,
-            r: Int,
-            g: Int,
-            b: Int,
-            a: Int
-        ): Unit =
-          log += LoggedFragment(n, left + x, top + y, 0, 0, 0)
-        def tileEnd(x: Int, y: Int): Unit = ()
-      }
-    )
+    Rasterizer(config).draw(pass, new ScreenFragments(config)(f => log += LoggedFragment(f.triangle, f.x, f.y, 0, 0, 0)))
     log
   }
 

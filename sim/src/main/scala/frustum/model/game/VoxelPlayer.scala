@@ -64,19 +64,25 @@ final case class VoxelPlayer(
     )
     val (ahead, aside) = (both(b.forward, b.back), both(b.right, b.left))
     val (c, s)         = (sine(turned.yaw + Turn / 4), sine(turned.yaw))
-    val (dx, dy)       = ((WalkStep * (ahead * c + aside * s)) >> 8, (WalkStep * (ahead * s - aside * c)) >> 8)
+    val (dx, dy) = ((WalkStep * (ahead * c + aside * s)) >> 8, (WalkStep * (ahead * s - aside * c)) >> 8)
     turned.moved(dx, dy, rules, b, solid)
   }
 
   /** Axis by axis; what is in the way ends the move along its axis alone. */
-  private def moved(dx: Int, dy: Int, rules: VoxelRules, b: VoxelButtons, solid: (Int, Int, Int) => Boolean): VoxelPlayer = {
+  private def moved(
+      dx: Int,
+      dy: Int,
+      rules: VoxelRules,
+      b: VoxelButtons,
+      solid: (Int, Int, Int) => Boolean
+  ): VoxelPlayer = {
     def free(p: IntVector)                   = !rules.collision || !touches(p, solid) || touches(feet, solid)
     def step(from: IntVector, to: IntVector) = if (inRange(to, rules.size) && free(to)) to else from
-    val flat    = step(feet, IntVector(feet.x + dx, feet.y, feet.z))
-    val along   = step(flat, IntVector(flat.x, flat.y + dy, flat.z))
-    val below   = IntVector(along.x, along.y, along.z - 1)
-    val stands  = step(along, below) == along
-    val lift    =
+    val flat                                 = step(feet, IntVector(feet.x + dx, feet.y, feet.z))
+    val along                                = step(flat, IntVector(flat.x, flat.y + dy, flat.z))
+    val below                                = IntVector(along.x, along.y, along.z - 1)
+    val stands                               = step(along, below) == along
+    val lift                                 =
       if (!rules.gravity) WalkStep * ((if (b.up) 1 else 0) - (if (b.down) 1 else 0))
       else if (stands && b.up) JumpSpeed
       else if (stands && rise <= 0) 0
@@ -88,14 +94,22 @@ final case class VoxelPlayer(
   }
 
   /** What a press of place or destroy does to the block pointed at; the player with it, who counts what is refused. */
-  def edit(b: VoxelButtons, before: VoxelButtons, pointedAt: Option[SeenFace], rules: VoxelRules): (VoxelPlayer, Option[VoxelEdit]) =
+  def edit(
+      b: VoxelButtons,
+      before: VoxelButtons,
+      pointedAt: Option[SeenFace],
+      rules: VoxelRules
+  ): (VoxelPlayer, Option[VoxelEdit]) =
     pointedAt match {
       case Some(f) if b.destroy && !before.destroy => (this, Some(VoxelEdit(f.x, f.y, f.z, 0)))
       case Some(f) if b.place && !before.place     =>
-        val axis        = f.face / 2
-        val step        = if (f.face % 2 == 0) -1 else 1 // a ray that travels up meets the bottom
-        val Seq(x, y, z) = Seq(f.x, f.y, f.z).zipWithIndex.map { case (v, k) => if (k == axis) v + step else v }
-        if (!rules.size.contains(x, y, z) || touches(feet, (i, j, k) => (i, j, k) == ((x, y, z)))) (copy(refused = refused + 1), None)
+        val axis         = f.face / 2
+        val step         = if (f.face % 2 == 0) -1 else 1 // a ray that travels up meets the bottom
+        val Seq(x, y, z) = Seq(f.x, f.y, f.z).zipWithIndex.map { case (v, k) =>
+          if (k == axis) v + step else v
+        }
+        if (!rules.size.contains(x, y, z) || touches(feet, (i, j, k) => (i, j, k) == ((x, y, z))))
+          (copy(refused = refused + 1), None)
         else (this, Some(VoxelEdit(x, y, z, item)))
       case _ => (this, None)
     }
