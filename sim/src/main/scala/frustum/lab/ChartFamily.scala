@@ -10,5 +10,17 @@ trait ChartFamily {
 
 object ChartFamily {
   val all: Seq[ChartFamily] =
-    Seq(ReciprocalFamily, AreaFamily, RootFamily, SpanFamily, AttributeFamily, DepthFamily, SubpixelFamily, ColorFamily, LeapFamily, DirectionFamily)
+    Seq(
+      ReciprocalFamily,
+      AreaFamily,
+      RootFamily,
+      SpanFamily,
+      AttributeFamily,
+      DepthFamily,
+      SubpixelFamily,
+      SwimFamily,
+      ColorFamily,
+      LeapFamily,
+      DirectionFamily
+    )
 }

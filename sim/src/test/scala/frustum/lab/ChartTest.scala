@@ -67,6 +67,12 @@ class ChartTest extends AnyFunSuite {
     }
   }
 
+  test("swimming: each sub-pixel bit takes much of it away; with the hardware's 4 it is a fraction of a texel") {
+    val swims = (1 to 4).map(SwimFamily.swim("cube", _))
+    for ((coarse, fine) <- swims.zip(swims.tail)) assert(fine.rms < 0.75 * coarse.rms, swims)
+    assert(swims.last.most < 0.25, swims)
+  }
+
   test("the front holds what nothing beats, and no more") {
     val Seq(a, b, c, d) = Seq((1, 9), (2, 5), (3, 5), (4, 1)).map { case (cost, error) =>
       ChartPoint("m", s"$cost", cost, error)
