@@ -21,7 +21,7 @@ final case class ValidFor(
 }
 
 object ValidFor {
-  private val Any = 1e6
+  private val Wide = 1e6
 
   // raster: triangles as the hardware takes them
   val WRatio =
@@ -46,7 +46,7 @@ object ValidFor {
 
   // raster: scenes as the driver takes them
   val SceneScale =
-    ValidFor("driver", "scene-scale", "times the floor from 1 to 100", 1 / Any, Any, 0.5, "% of texels")
+    ValidFor("driver", "scene-scale", "times the floor from 1 to 100", 1 / Wide, Wide, 0.5, "% of texels")
   val FarOverNear = ValidFor(
     "driver",
     "far-over-near",
@@ -67,12 +67,12 @@ object ValidFor {
   )
   val EyeHeight =
     ValidFor("driver", "eye-height", "over a floor from 1 to 100", 1.0 / 32, 64, 0.5, "% of texels")
-  val Overhang = ValidFor("driver", "overhang", "screens beyond the border", 1, Any, 0.5, "% of pixels")
+  val Overhang = ValidFor("driver", "overhang", "screens beyond the border", 1, Wide, 0.5, "% of pixels")
   val Clamped  =
     ValidFor("texture", "clamped-coordinate", "repeats beyond 0 and 1", 1, 126, 0.5, "% of texels")
   val TextureSide = ValidFor("texture", "texture-side", "log2 texels", 3, 7, 0.5, "% of texels")
   val DepthGap    = ValidFor("depth", "depth-gap", "of the depth, far = 100 near", 0.005, 1, 0, "% of pixels")
-  val OrthoDepth  = ValidFor("depth", "orthographic-range", "world units", 1 / Any, Any, 0, "% of pixels")
+  val OrthoDepth  = ValidFor("depth", "orthographic-range", "world units", 1 / Wide, Wide, 0, "% of pixels")
 
   // ray caster
   val SphereDistance =

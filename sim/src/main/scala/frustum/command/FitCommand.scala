@@ -93,7 +93,8 @@ object FitCommand extends CommandLine {
     if (different > 0) Console.err.println(s"error: $stem: $different pixels differ from the model's")
     if (!result.met) Console.err.println(
       s"error: $stem: not met: ${result.heldOutOver} of ${result.heldOut.length} views are over; the worst, $view, has " +
-        s"${errors.texelsWrong} % of its texels wrong" +
+        s"${errors.texelsWrong} % of its texels and ${errors.primitivesWrong} % of its pixels wrong" +
+        errors.flip.fold("")(f => s", FLIP $f") +
         (if (result.features.config.formats == PlaneFormats()) ", with all the bits there are" else "")
     )
     if (result.met && different == 0) 0 else 1

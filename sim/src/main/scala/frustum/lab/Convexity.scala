@@ -13,15 +13,23 @@ object Convexity {
   /** The surface of a convex solid: its front faces hide nothing but its back faces. */
   case object Solid extends Convexity
 
-  /** What a scene is, None where parts of it may hide others. Seen from inside, a solid is nothing: its back faces are culled. */
+  private def planes(scene: Scene) =
+    scene.triangles.flatMap(t => Grid.faceNormal(t).map(n => n -> n.dot(t.v0.position)))
+
+  /** Whether a point is behind every face: from there a solid is nothing, for its back faces are culled. */
+  def inside(scene: Scene, point: Vector3d): Boolean = planes(scene).forall { case (n, d) =>
+    n.dot(point) < d
+  }
+
+  /** What a scene is, None where parts of it may hide others. */
   def of(scene: Scene): Option[Convexity] = {
-    val tolerance = 1e-9 * scene.boundingSphere._2
-    val points    = scene.triangles.flatMap(_.vertices.map(_.position)).distinct
-    val planes    = scene.triangles.flatMap(t => Grid.faceNormal(t).map(n => n -> n.dot(t.v0.position)))
+    val tolerance                      = 1e-9 * scene.boundingSphere._2
+    val points                         = scene.triangles.flatMap(_.vertices.map(_.position)).distinct
+    val faces                          = planes(scene)
     def beyond(n: Vector3d, d: Double) = points.map(p => n.dot(p) - d)
-    if (planes.isEmpty || scene.materials.exists(_.blend)) None
-    else if (planes.forall { case (n, d) => beyond(n, d).forall(_.abs <= tolerance) }) Some(Flat)
-    else if (planes.forall { case (n, d) => beyond(n, d).forall(_ <= tolerance) } && closed(scene))
+    if (faces.isEmpty || scene.materials.exists(_.blend)) None
+    else if (faces.forall { case (n, d) => beyond(n, d).forall(_.abs <= tolerance) }) Some(Flat)
+    else if (faces.forall { case (n, d) => beyond(n, d).forall(_ <= tolerance) } && closed(scene))
       Some(Solid)
     else None
   }

@@ -1,5 +1,6 @@
 package frustum.lab
 
+import frustum.InputError
 import frustum.engine.Engines
 import frustum.host.{Driver, PreparedFrame, StateTable, TextureMemory}
 import frustum.judge.{Flip, FrameJudge}
@@ -28,6 +29,8 @@ final class Fit(
   private val states =
     StateTable(scene, TextureMemory.allocate(scene, features.config), features.options).states
 
+  private val solid = Convexity.of(scene).contains(Convexity.Solid)
+
   /** What there is to be saved. */
   private val knobs: Seq[Knob] = Seq(
     Option.when(states.exists(_.combine != Combine.ColorOnly))(Knob.coordinate),
@@ -44,6 +47,10 @@ final class Fit(
   )
 
   def errors(view: View, formats: PlaneFormats): ViewErrors = {
+    if (solid && Convexity.inside(scene, view.camera(scene.camera).eye))
+      throw InputError(
+        s"${scene.name}: the view with $view is from inside the mesh; give a --volume with greater distances"
+      )
     val frame                  = prepare(view, formats)
     val (verdict, image, logs) = judge.drawModel(frame)
     val screen                 = frame.config.width * frame.config.height
@@ -62,8 +69,8 @@ final class Fit(
 
   private def share(view: View, formats: PlaneFormats): Double = budget.share(errors(view, formats))
 
-  private def holds(views: Seq[View], formats: PlaneFormats, part: Double): Boolean =
-    views.forall(share(_, formats) <= part)
+  private def holds(views: Seq[View], formats: PlaneFormats): Boolean =
+    views.forall(share(_, formats) <= Fit.Margin)
 
   /** Formats with the most bits dropped that hold; knob by knob, from the one that saves most. */
   private def search(views: Seq[View]): PlaneFormats =
@@ -72,8 +79,7 @@ final class Fit(
         if (bad - good <= 1) good
         else {
           val middle = (good + bad) / 2
-          if (holds(views, knob.set(formats, middle), Fit.Margin)) bisect(middle, bad)
-          else bisect(good, middle)
+          if (holds(views, knob.set(formats, middle))) bisect(middle, bad) else bisect(good, middle)
         }
       knob.set(formats, bisect(0, knob.most + 1))
     }

@@ -1,5 +1,6 @@
 package frustum.lab
 
+import frustum.InputError
 import frustum.command.CommandRunner
 import frustum.host.DrawOptions
 import frustum.scene.{Material, Scene, Scenes, TextureImage}
@@ -80,6 +81,26 @@ class FitTest extends AnyFunSuite {
     assert(features.config.fixed.constant.length == 8)
     val teapot = FitFeatures(Scenes.teapot(2), small, DrawOptions(None, cullBack = false, Wrap.Repeat, 0))
     assert(!teapot.options.cullBack && teapot.options.depthTest && teapot.config.textureTexels == 64)
+  }
+
+  test("a volume that reaches into a solid is refused") {
+    val features =
+      FitFeatures(
+        Scenes.cube,
+        small,
+        DrawOptions(None, cullBack = false, Wrap.Repeat, Scenes.cube.background)
+      )
+    val volume = CameraVolume((0, 0), (0, 0), (0.01, 0.02))
+    val error  = intercept[InputError](new Fit(
+      Scenes.cube,
+      features,
+      FitBudget(1, None, None),
+      volume,
+      seed,
+      _ => ()
+    ).run())
+    assert(error.message.contains("from inside the mesh"))
+    assert(!Convexity.inside(Scenes.cube, Scenes.cube.camera.eye))
   }
 
   test("views stay in their volume and look where the scene's camera does") {
