@@ -46,7 +46,12 @@ object StabilityMap {
       }
       range("declared", r.sweep.domain.low, r.sweep.domain.high, 0.3, Color.BLACK)
       for (peer <- r.sweep.peer; (low, high) <- peer.range) range("peer", low, high, 0.4, new Color(0x2b6cb0))
-      for (b <- r.borders) chart.addAnnotation(new AnnotationText(shortest(b.value), at(b.value), y, false))
+      // Of borders that lie close together one is named.
+      r.borders.foldLeft(Double.NegativeInfinity) { (last, b) =>
+        val place = at(b.value)
+        if (place - last < 0.05) last
+        else { chart.addAnnotation(new AnnotationText(shortest(b.value), place, y, false)); place }
+      }
     }
     chart
   }
