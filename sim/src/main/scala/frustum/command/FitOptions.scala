@@ -81,12 +81,14 @@ object FitOptions {
       "WxH",
       "of the screen, pixels (default 240x320)"
     )((v, o) => o.copy(size = v))(size),
-    option[Vector3d]("light", "x,y,z", "direction towards the light (default: none)")((v, o) =>
-      o.copy(light = Some(v))
-    )(vector),
-    opt[Unit]("cull-back").action((_, o) => o.copy(cullBack = true)).text(
-      "drop back faces (default: only those of closed convex meshes)"
-    ),
+    option[Option[Vector3d]]("light", "none|x,y,z", "direction towards the light (default none)")((v, o) =>
+      o.copy(light = v)
+    )(scopt.Read.reads(t => Option.when(t != "none")(vector.reads(t)))),
+    option[Boolean](
+      "cull",
+      "none|back",
+      "faces left out (default none; of closed convex meshes always the back ones)"
+    )((v, o) => o.copy(cullBack = v))(oneOf("none" -> false, "back" -> true)),
     option[Wrap]("wrap", "repeat|mirror|clamp", "of textures (default repeat)")((v, o) => o.copy(wrap = v))(
       oneOf("repeat" -> Wrap.Repeat, "mirror" -> Wrap.Mirror, "clamp" -> Wrap.Clamp)
     ),
