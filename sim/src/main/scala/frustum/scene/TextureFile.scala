@@ -1,6 +1,8 @@
 package frustum.scene
 
 import frustum.InputError
+import java.awt.color.ColorSpace
+import java.awt.image.BufferedImage
 import java.nio.file.{Files, Path}
 import javax.imageio.ImageIO
 import scala.util.control.NonFatal
@@ -31,7 +33,7 @@ object TextureFile {
         // before decoding: a wrong size may be a huge one
         fault(reader.getWidth(0), reader.getHeight(0)).foreach(fault => refuse(s"the texture $fault"))
         val picture = reader.read(0)
-        val argb    = picture.getRGB(0, 0, picture.getWidth, picture.getHeight, null, 0, picture.getWidth)
+        val argb    = colors(picture)
         TextureImage(picture.getWidth, picture.getHeight, argb.toIndexedSeq, argb.exists(_ >>> 24 != 255))
       } finally stream.close()
     } catch {
@@ -39,4 +41,20 @@ object TextureFile {
       case NonFatal(e)   => refuse(s"the picture is damaged (${e.getMessage}); save it again as PNG")
     }
   }
+
+  /** 0xAARRGGBB row by row. Java takes grey values for linear light and would brighten them; PNG's mean what red, green
+    * and blue of that value do.
+    */
+  private def colors(p: BufferedImage): Array[Int] =
+    if (p.getColorModel.getColorSpace.getType != ColorSpace.TYPE_GRAY)
+      p.getRGB(0, 0, p.getWidth, p.getHeight, null, 0, p.getWidth)
+    else {
+      def sample(x: Int, y: Int, band: Int) =
+        p.getRaster.getSample(x, y, band) >> (p.getColorModel.getComponentSize(band) - 8)
+      val opaque = !p.getColorModel.hasAlpha
+      Array.tabulate(p.getHeight * p.getWidth) { i =>
+        val (x, y) = (i % p.getWidth, i / p.getWidth)
+        (if (opaque) 255 else sample(x, y, 1)) << 24 | sample(x, y, 0) * 0x010101
+      }
+    }
 }
