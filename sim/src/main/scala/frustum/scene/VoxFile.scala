@@ -60,6 +60,7 @@ object VoxFile {
     chunks(8, bytes.limit)
     if (models.length != 1) refuse(s"has ${models.length} models; one is needed: join them in the editor")
     val (sx, sy, sz) = models.head
+    if (Seq(sx, sy, sz).exists(_ < 1)) refuse(s"is a model of ${sx}x${sy}x$sz; save it again")
     if (sx > size.x || sy > size.y || sz > size.z) refuse(
       s"is a model of ${sx}x${sy}x$sz, larger than the world of $size; give a larger --world-size"
     )

@@ -71,6 +71,7 @@ class VoxFileTest extends AnyFunSuite {
         vox(chunk("SIZE", ints(2, 2, 2)), chunk("XYZI", ints(5))),
         Seq("XYZI", "24")
       ),
+      ("a model without extent", vox(chunk("SIZE", ints(0, -1, 2)), voxels()), Seq("0x-1x2")),
       ("no model", vox(chunk("PACK", ints(1))), Seq("0 models"))
     )
   ) test(s"refused: $what") {
