@@ -1,6 +1,6 @@
 package frustum.command
 
-import frustum.InputError
+import frustum.{InputError, OutputFile}
 import frustum.game.{AutoPlayer, ButtonFile}
 import frustum.model.game.{PongButtons, PongGame}
 import frustum.picture.Picture
@@ -19,6 +19,7 @@ object PongCommand extends CommandLine {
     val config = shaded.copy(scene = shaded.scene.copy(shaded = !o.flat))
     val player = players(o)
     prepare(o.out)
+    OutputFile.check(o.reportFile)
     println(s"pong: ${o.mode.name}, ${o.frames} frames")
     val recording = PongRecording(config, player, o.seed, o.frames, o.out.resolve("pong.gif")) {
       (frame, picture) =>

@@ -34,6 +34,7 @@ object RenderCommand extends CommandLine {
       )
     if (report.toAbsolutePath.normalize == out.toAbsolutePath.normalize)
       throw InputError(s"--report: $report is the picture's file as well; name another")
+    OutputFile.check((numbered(out, 0) +: report +: o.wave.toSeq): _*)
 
     val run = SceneRun(
       scene.copy(name = stem),

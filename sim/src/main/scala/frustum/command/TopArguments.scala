@@ -18,7 +18,7 @@ object TopArguments {
   def parser(command: String, summary: String, seeds: Boolean): OParser[_, TopArguments] = {
     import builder._
     val common = OParser.sequence(
-      programName(command),
+      programName(s"./sbt $command"),
       head(s"$command: $summary"),
       arg[String]("TOP").optional().action((name, a) => a.copy(top = name))
         .text(s"the design: ${Tops.all.map(_.name).mkString(", ")}"),

@@ -19,6 +19,7 @@ object VoxelCommand extends CommandLine {
   private def voxel(o: VoxelOptions): Int = {
     val scene = VoxelScenes(o)
     import scene.{config, views}
+    OutputFile.check((fileOf(o, 0) +: o.reportFile +: o.serial.toSeq): _*)
     println(
       s"voxel: ${views.length} view(s) of a world of ${config.size}, ${config.width}x${config.height}, ${o.engine}"
     )

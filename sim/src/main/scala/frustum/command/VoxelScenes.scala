@@ -43,13 +43,15 @@ object VoxelScenes {
       }
     val focal = o.focal.getOrElse(225.0 * config.height / 240)
     val views = o.path match {
-      case Some(file) => poses(file.toString, InputFile.text(file, "give a text file in UTF-8"), focal)
+      case Some(file) => poses(file.toString, InputFile.text(file, "give a text file in UTF-8"), focal, config)
       case None       =>
         val (yaw, pitch) = o.look.fold((o.yaw, o.pitch)) { look =>
           if (look.length == 0) throw InputError("--look 0,0,0: has no direction; give another one")
           VoxelView.angles(look)
         }
-        Seq(VoxelView(o.eye.getOrElse(standing(world)), yaw, pitch, focal))
+        val view = VoxelView(o.eye.getOrElse(standing(world)), yaw, pitch, focal)
+        view.camera(config)
+        Seq(view)
     }
     VoxelScene(config, assets, world, views)
   }
@@ -60,11 +62,15 @@ object VoxelScenes {
     new Vector3d(x + 0.5, y + 0.5, world.surface(x, y) + 2.6)
   }
 
-  private def poses(file: String, text: String, focal: Double): Seq[VoxelView] = {
+  /** Views that the hardware takes, or InputError naming the line. */
+  private def poses(file: String, text: String, focal: Double, config: VoxelConfig): Seq[VoxelView] = {
     val views = for ((line, i) <- text.linesIterator.toSeq.zipWithIndex if line.trim.nonEmpty) yield {
       line.trim.split("\\s+").map(_.toDoubleOption.filter(_.isFinite)) match {
         case Array(Some(x), Some(y), Some(z), Some(yaw), Some(pitch)) =>
-          VoxelView(new Vector3d(x, y, z), yaw, pitch, focal)
+          val view = VoxelView(new Vector3d(x, y, z), yaw, pitch, focal)
+          try view.camera(config)
+          catch { case InputError(message) => throw InputError(s"$file:${i + 1}: ${message.stripPrefix("--")}") }
+          view
         case _ =>
           throw InputError(s"$file:${i + 1}: '${line.trim}' is no pose; write five numbers x y z yaw pitch")
       }

@@ -22,7 +22,7 @@ class RenderArgumentsTest extends AnyFunSuite {
     "--up 1,2,x"                     -> Seq("--up", "number"),
     "--eye 0,0,0 --at 0,0,0"         -> Seq("eye", "at"),
     "--fov 0"                        -> Seq("--fov", "0"),
-    "--fov 180"                      -> Seq("field of view"),
+    "--fov 180"                      -> Seq("fov 180.0 must lie"),
     "--near -1"                      -> Seq("near"),
     "--near 5 --far 4"               -> Seq("near", "far"),
     "--ortho 0"                      -> Seq("--ortho"),
@@ -75,6 +75,13 @@ class RenderArgumentsTest extends AnyFunSuite {
       report
     )
     assert(run.code == 2 && run.err.length == 1 && run.err.head.contains(file.toString), run)
+  }
+
+  test("a report that cannot be written is refused before anything is drawn") {
+    val file = Files.createTempFile("render", ".txt")
+    val run  = CommandRunner.run("render", "--engine", "reference", "--out", out, "--report", s"$file/r.json")
+    assert(run.code == 2 && run.err.length == 1 && run.err.head.contains(s"$file/r.json"), run)
+    assert(folder.toFile.list().isEmpty && !run.out.contains("teapot"), run)
   }
 
   test("a command that there is not, and none") {

@@ -30,6 +30,7 @@ class VoxelCommandTest extends AnyFunSuite {
     "VOX ".getBytes ++ Array[Byte](-106, 0, 0, 0) ++ "MAIN".getBytes ++ Array[Byte](0, 0, 0, 0, 9, 0, 0, 0)
   )
   private val poses      = file("poses.txt", "1 2 3 4 5\n1 2 three 4 5\n")
+  private val farPoses   = file("far.txt", "1 2 3 4 5\n\n1 2 -99 4 5\n")
   private val noTable    = file("no.json", "{\"name\": \"x\"}")
   private val noName     = file("name.json", "[{\"texture\": \"stone\"}]")
   private val noKey      = file("key.json", "[{\"name\": \"a\", \"txture\": \"stone\"}]")
@@ -49,11 +50,13 @@ class VoxelCommandTest extends AnyFunSuite {
     "--world-size 60x64x32"                   -> Seq("--world-size", "power of two"),
     "--world-size 64x64"                      -> Seq("--world-size"),
     "--eye 500,0,0"                           -> Seq("--eye", "x 500", "32 blocks"),
+    "--eye 1e300,0,0"                         -> Seq("--eye", "x 1.0E300", "32 blocks"),
     "--look 0,0,0"                            -> Seq("--look"),
     "--focal 60"                              -> Seq("--focal", "too wide"),
     "--size 8x8"                              -> Seq("--size", "width 8"),
     "--distance 100"                          -> Seq("--distance", "60"),
     s"--path '$poses'"                        -> Seq("poses.txt:2", "x y z yaw pitch"),
+    s"--path '$farPoses'"                     -> Seq("far.txt:3", "eye: z -99"),
     s"--blocks '$noTable'"                    -> Seq("no.json", "list"),
     s"--world '$high' --blocks '$noName'"     -> Seq("name.json", "block 1", "no name"),
     s"--world '$high' --blocks '$noKey'"      -> Seq("key.json", "block 1", "txture"),
