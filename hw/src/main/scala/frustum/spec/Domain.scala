@@ -12,6 +12,9 @@ object Domain {
   /** A triangle's texture coordinates span less than this many repeats; less by two from the driver, which subtracts even numbers. */
   val MaxRepeats = 256
 
+  /** A mesh's triangle may span this many: the driver cuts it. */
+  val MaxMeshRepeats = 1024.0
+
   /** Twice the area, in 1/256 pixel^2, below which barycentric coordinates are taken as if it were this much more:
     * colours and texels of such a triangle stay between its vertices' but drift towards vertex 0.
     */

@@ -40,12 +40,12 @@ object Driver {
     val textures = TextureMemory.allocate(scene, config)
     val states = StateTable(scene, textures, options)
     for (state <- states.states; fault <- config.fixed.fault(state))
-      throw InputError(s"${scene.name}: $fault, which this hardware was made without; build it for the scene (./sbt fit)")
+      throw InputError(s"${scene.place}: $fault, which this hardware was made without; build it for the scene (./sbt fit)")
     val clipped = clipTriangles(scene, camera, options, config, states)
     val scaled = scaleW(clipped)
     val viewport = new Viewport(config)
     val drawn = scaled.flatMap(t => place(t, states.states.indexOf(t.state), options.cullBack, viewport))
-    val regions = new PassSplitter(config).split(drawn.map(_._2))
+    val regions = new PassSplitter(config, scene.place).split(drawn.map(_._2))
     val passes = regions.zipWithIndex.map { case ((region, triangles), i) =>
       val (vertices, indexed) = share(triangles)
       val number = (frame * regions.length + i) & 0xffff
@@ -75,17 +75,29 @@ object Driver {
     val toClip = Projection(camera, config.width.toDouble / config.height).mul(turn)
     val shader = new VertexShader(toClip, turn, options.light)
     val clipper = new Clipper(config)
-    val shaded = scene.triangles.map { t =>
+    val shaded = scene.triangles.zipWithIndex.map { case (t, i) =>
       val material = scene.materials(t.material)
-      (material.blend, ClipTriangle(t.vertices.map(shader(_, material)).toIndexedSeq, states(t.material)))
+      (material.blend, ClipTriangle(t.vertices.map(shader(_, material)).toIndexedSeq, states(t.material), i))
     }
     val (blended, opaque) = shaded.partition(_._1)
     val backToFront = blended.map(_._2).sortBy(t => -depth(t, camera))
     (opaque.map(_._2) ++ backToFront).flatMap { t =>
       val polygon = clipper.clip(t.v)
-      (1 until polygon.length - 1).map(i => t.copy(v = IndexedSeq(polygon(0), polygon(i), polygon(i + 1))))
+      (1 until polygon.length - 1)
+        .map(i => t.copy(v = IndexedSeq(polygon(0), polygon(i), polygon(i + 1))))
+        .flatMap(withinRepeats(scene, _))
     }
   }
+
+  /** Cut where it has more repeats than the vertex format holds; without a texture its coordinates mean nothing: zero
+    * lets vertices be shared.
+    */
+  private def withinRepeats(scene: Scene, t: ClipTriangle): Seq[ClipTriangle] =
+    if (t.state.texture.isEmpty) Seq(t.copy(v = t.v.map(_.copy(s = 0, t = 0))))
+    else {
+      RepeatRemoval.fault(t).foreach(fault => throw InputError(s"${scene.place(t.source)}: $fault"))
+      RepeatRemoval.parts(t)
+    }
 
   /** Distance of the centroid along the line of sight: w in a perspective view, z in an orthographic one. */
   private def depth(t: ClipTriangle, camera: Camera): Double =
@@ -100,14 +112,11 @@ object Driver {
 
   /** Snaps a triangle to the screen and turns it clockwise; None when it is not to be drawn. */
   private def place(
-      triangle: ClipTriangle,
+      t: ClipTriangle,
       state: Int,
       cullBack: Boolean,
       viewport: Viewport
   ): Option[(ClipTriangle, PackedCorners)] = {
-    // without a texture the coordinates mean nothing: zero lets vertices be shared
-    val plain = triangle.state.texture.isEmpty
-    val t = if (plain) triangle.copy(v = triangle.v.map(_.copy(s = 0, t = 0))) else triangle
     def corners(t: ClipTriangle, offset: (Int, Int)) = t.v.map(viewport.pack(_, offset))
     val area = { val p = corners(t, (0, 0)); viewport.area(p(0), p(1), p(2)) }
     val turned = if (area < 0) t.copy(v = IndexedSeq(t.v(0), t.v(2), t.v(1))) else t

@@ -14,8 +14,11 @@ final case class PackedCorners(
   def vertices: Seq[PackedVertex] = Seq(v0, v1, v2)
 }
 
-/** Divides a frame into regions of tiles whose triangles and vertices fit the hardware's store. */
-final class PassSplitter(config: RasterConfig) {
+/** Divides a frame into regions of tiles whose triangles and vertices fit the hardware's store.
+  *
+  * @param scene what messages call it
+  */
+final class PassSplitter(config: RasterConfig, scene: String) {
 
   /** Regions, disjoint and together the whole screen, each with the triangles that touch it in their order.
     * Bands of tile rows first, then columns; InputError when the triangles of one tile are too many.
@@ -35,7 +38,7 @@ final class PassSplitter(config: RasterConfig) {
         case Some((first, second)) => split(first, here) ++ split(second, here)
         case None                  =>
           throw InputError(
-            s"${here.length} triangles with $vertices vertices in the tile at pixel " +
+            s"$scene: ${here.length} triangles with $vertices vertices in the tile at pixel " +
               s"(${region.x0 * config.tileWidth}, ${region.y0 * config.tileHeight}); " +
               s"the store holds ${config.maxTriangles} triangles and " +
               s"${config.maxVertices} vertices: draw a simpler mesh or come closer"

@@ -30,8 +30,12 @@ final case class DrawOptions(
 /** A vertex in clip space before quantisation: inside when -w <= x, y, z <= w. `rgba` is 0..1, lit. */
 final case class ClipVertex(clip: Vector4d, s: Double, t: Double, rgba: Vector4d)
 
-/** A triangle that survived clipping and culling, in the order of its vertices on the wire. */
-final case class ClipTriangle(v: IndexedSeq[ClipVertex], state: RenderState)
+/** A triangle that survived clipping and culling, in the order of its vertices on the wire.
+  *
+  * @param source
+  *   which triangle of the scene it is, or is a part of
+  */
+final case class ClipTriangle(v: IndexedSeq[ClipVertex], state: RenderState, source: Int = 0)
 
 /** A frame ready for any engine.
   *

@@ -7,6 +7,9 @@ import org.joml.{Matrix4d, Vector3d}
 /** World to clip space, OpenGL's conventions: eye looks along -z, inside is -w <= x, y, z <= w. */
 object Projection {
 
+  /** Beyond, squares of lengths would leave double precision. */
+  private val Farthest = 1e30
+
   /** @param aspect width / height of the screen; InputError where the camera sees nothing */
   def apply(camera: Camera, aspect: Double): Matrix4d = {
     check(camera)
@@ -23,8 +26,13 @@ object Projection {
   private def check(c: Camera): Unit = {
     def refuse(condition: Boolean, message: => String): Unit = if (condition) throw InputError(message)
     def show(v: Vector3d) = s"${v.x},${v.y},${v.z}"
-    for ((name, v) <- Seq("eye" -> c.eye, "at" -> c.at, "up" -> c.up))
+    for ((name, v) <- Seq("eye" -> c.eye, "at" -> c.at, "up" -> c.up)) {
       refuse(!v.isFinite, s"camera: $name ${show(v)} is not finite; give three numbers")
+      refuse(
+        v.absolute(new Vector3d).get(v.maxComponent) > Farthest,
+        s"camera: $name ${show(v)} is beyond +-$Farthest; come closer"
+      )
+    }
     val forward = new Vector3d(c.at).sub(c.eye)
     refuse(forward.length == 0, s"camera: eye and at are the same point ${show(c.eye)}; move one of them")
     refuse(
@@ -36,12 +44,12 @@ object Projection {
       s"camera: near ${c.near} must be less than far ${c.far}"
     )
     c.orthoHeight match {
-      case Some(h) => refuse(!(h > 0 && h.isFinite), s"camera: orthographic height $h must be positive")
+      case Some(h) => refuse(!(h > 0 && h.isFinite), s"camera: ortho $h must be above 0")
       case None    =>
-        refuse(c.near <= 0, s"camera: near ${c.near} must be positive in a perspective view")
+        refuse(c.near <= 0, s"camera: near ${c.near} must be above 0 in a perspective view")
         refuse(
           !(c.fovDegrees > 0 && c.fovDegrees < 180),
-          s"camera: field of view ${c.fovDegrees} must lie between 0 and 180 degrees"
+          s"camera: fov ${c.fovDegrees} must lie between 0 and 180 degrees"
         )
     }
   }

@@ -20,7 +20,7 @@ object StateTable {
     val states = scene.materials.indices.filter(used).map(each).distinct
     if (states.length > RenderState.Count)
       throw InputError(
-        s"${scene.name}: the materials need ${states.length} render states, " +
+        s"${scene.place}: the materials need ${states.length} render states, " +
           s"the hardware holds ${RenderState.Count}; let materials share textures and blending"
       )
     StateTable(states, each.map(states.indexOf(_)))

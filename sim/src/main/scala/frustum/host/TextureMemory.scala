@@ -21,13 +21,13 @@ object TextureMemory {
       .filter(used)
       .flatMap(i => scene.materials(i).texture.map(scene.materials(i).name -> _))
     for ((material, image) <- images) TextureImage.fault(image.width, image.height).foreach { fault =>
-      throw InputError(s"${scene.name}: the texture of material '$material' $fault")
+      throw InputError(s"${scene.place}: the texture of material '$material' $fault")
     }
     val distinct = images.map(_._2).distinct
     val total = distinct.map(i => i.width * i.height).sum
     if (total > config.textureTexels)
       throw InputError(
-        s"${scene.name}: textures of " + distinct.map(i => s"${i.width} x ${i.height}").mkString(", ") +
+        s"${scene.place}: textures of " + distinct.map(i => s"${i.width} x ${i.height}").mkString(", ") +
           s" need $total texels, the memory has ${config.textureTexels}; use smaller or fewer textures"
       )
     val bases = distinct.scanLeft(0)((base, image) => base + image.width * image.height / Unit)

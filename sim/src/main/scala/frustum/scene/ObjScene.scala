@@ -8,7 +8,7 @@ import java.nio.file.Path
 /** Scenes from OBJ files with their MTL and PNG files. */
 object ObjScene {
 
-  /** Reads a mesh. Polygons become fans of triangles; a face without normals is flat, one without a material
+  /** Reads a mesh. Polygons become triangles, also where corners point inwards; a face without normals is flat, one without a material
     * white, one without texture coordinates shows its material's colour. Without a camera of its own the mesh
     * is framed, see [[framing]].
     *
@@ -35,8 +35,16 @@ object ObjScene {
     val ofFace = obj.faces.map(materialOf)
     val materials = ofFace.distinct
     val index = materials.zipWithIndex.toMap
-    val triangles = obj.faces.zip(ofFace).flatMap { case (face, material) => fan(face, index(material)) }
-    Scene(file.getFileName.toString, triangles, materials, framing(triangles), 0x000000)
+    val triangles = obj.faces.zip(ofFace).flatMap { case (face, material) => cut(face, index(material)) }
+    val lines     = obj.faces.flatMap(f => IndexedSeq.fill(f.corners.length - 2)(f.line.number))
+    Scene(
+      file.getFileName.toString,
+      triangles,
+      materials,
+      framing(triangles),
+      0x000000,
+      Some(SceneOrigin(file, lines))
+    )
   }
 
   /** The camera for a mesh that has none: from c + 2.5 r (0.45, 0.35, 0.82) towards c, near 0.05 r and far 10
@@ -51,14 +59,16 @@ object ObjScene {
 
   private def textured(face: ObjFile.Face): Boolean = face.corners.forall(_.texture.isDefined)
 
-  private def fan(face: ObjFile.Face, material: Int): IndexedSeq[Triangle] = {
+  private def cut(face: ObjFile.Face, material: Int): IndexedSeq[Triangle] = {
     val flat = faceNormal(face.corners.map(_.position))
     val vertices = face.corners.map { c =>
       val normal = c.normal.filter(_.length > 0).fold(flat)(n => new Vector3d(n).normalize)
       val (s, t) = c.texture.getOrElse((0.0, 0.0))
       MeshVertex(c.position, normal, s, t, (c.color._1, c.color._2, c.color._3, 1.0))
     }
-    (1 until vertices.length - 1).map(i => Triangle(vertices(0), vertices(i), vertices(i + 1), material))
+    Triangulation(face.corners.map(_.position), flat).toIndexedSeq.map { case (a, b, c) =>
+      Triangle(vertices(a), vertices(b), vertices(c), material)
+    }
   }
 
   /** Normal of a polygon by Newell's sums, which need no corner to be convex; (0, 1, 0) where it has no area.

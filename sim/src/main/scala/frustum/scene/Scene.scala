@@ -1,6 +1,7 @@
 package frustum.scene
 
 import org.joml.Vector3d
+import java.nio.file.Path
 
 /** A corner of a triangle. Vertices are values: equal ones are shared when the scene is packed for the
   * hardware.
@@ -31,20 +32,31 @@ final case class Triangle(v0: MeshVertex, v1: MeshVertex, v2: MeshVertex, materi
   *
   * @param background
   *   0xRRGGBB
+  * @param origin
+  *   where it was read from, for messages
   */
 final case class Scene(
     name: String,
     triangles: IndexedSeq[Triangle],
     materials: IndexedSeq[Material],
     camera: Camera,
-    background: Int
+    background: Int,
+    origin: Option[SceneOrigin] = None
 ) {
+
+  /** What messages call it, and one of its triangles. */
+  def place: String = origin.fold(name)(_.file.toString)
+  def place(triangle: Int): String =
+    origin.fold(s"$name: triangle ${triangle + 1}")(o => s"${o.file}:${o.lines(triangle)}")
 
   /** Centre and radius of the sphere around the bounding box: radius is that of the farthest vertex from the
     * centre.
     */
   lazy val boundingSphere: (Vector3d, Double) = BoundingSphere(triangles.flatMap(_.vertices.map(_.position)))
 }
+
+/** The file of a scene, and the line of each triangle. */
+final case class SceneOrigin(file: Path, lines: IndexedSeq[Int])
 
 /** The sphere about the middle of the points' bounding box that just holds all of them. */
 object BoundingSphere {

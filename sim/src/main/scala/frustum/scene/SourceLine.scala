@@ -28,6 +28,9 @@ final case class SourceLine(file: Path, number: Int, keyword: String, text: Stri
 
 object SourceLine {
 
+  /** UTF-8's, which some editors put first, as Latin-1 reads it. */
+  private val ByteOrderMark = "\u00ef\u00bb\u00bf"
+
   /** The statements of a file, without comments (# at the start of a word) and empty lines; a backslash at
     * the end of a line continues it.
     *
@@ -40,7 +43,7 @@ object SourceLine {
       try InputFile.text(file, "give a readable text file", StandardCharsets.ISO_8859_1)
       catch { case InputError(message) => refuse(message) }
     if (content.contains('\u0000')) refuse(s"$file: is not a text file; give an OBJ or MTL file in text form")
-    val lines = content.split("\r\n|\r|\n", -1).toIndexedSeq
+    val lines = content.stripPrefix(ByteOrderMark).split("\r\n|\r|\n", -1).toIndexedSeq
     joined(lines).flatMap { case (number, line) =>
       val text = line.replaceAll("(^|\\s)#.*", "").trim
       Option.when(text.nonEmpty) {

@@ -138,10 +138,11 @@ class DriverTest extends AnyFunSuite {
         c.copy(at = c.eye) -> "same point",
         c.copy(up = new Vector3d(c.eye)) -> "line of sight",
         c.copy(up = new Vector3d) -> "line of sight",
-        c.copy(near = 0) -> "near 0.0 must be positive",
+        c.copy(near = 0) -> "near 0.0 must be above 0",
         c.copy(far = 0.1) -> "must be less than far",
-        c.copy(fovDegrees = 180) -> "field of view 180.0",
-        c.copy(orthoHeight = Some(0)) -> "height 0.0",
+        c.copy(fovDegrees = 180) -> "fov 180.0",
+        c.copy(orthoHeight = Some(0)) -> "ortho 0.0",
+        c.copy(eye = new Vector3d(1e300, 0, 0)) -> "eye 1.0E300,0.0,0.0 is beyond",
         c.copy(eye = new Vector3d(Double.NaN)) -> "not finite"
       )
     ) {
@@ -157,5 +158,44 @@ class DriverTest extends AnyFunSuite {
     assert(
       intercept[InputError](prepare(meshOf(17))).message.contains("17 render states, the hardware holds 16")
     )
+  }
+
+  /** Two triangles of a square of 200 pixels, `repeats` along both axes from `start` on. */
+  private def tiled(repeats: Double, start: Double): Scene = {
+    def at(x: Int, y: Int) = vertex(-100 + 200 * x, -100 + 200 * y, 0, start + repeats * x, start + repeats * y)
+    scene(
+      Seq(triangle(at(0, 0), at(1, 0), at(1, 1)), triangle(at(0, 0), at(1, 1), at(0, 1))),
+      textured(8, 8)
+    )
+  }
+
+  test("triangles with more repeats than the vertex format holds are cut, and neighbours meet") {
+    for (wrap <- Seq(Wrap.Repeat, Wrap.Mirror); start <- Seq(0.0, 0.3, -77.1, 1001.0)) {
+      assert(prepare(tiled(253, start), options.copy(wrap = wrap)).trianglesDrawn == 2)
+      for (repeats <- Seq(256.0, 300.7, 600, Domain.MaxMeshRepeats)) {
+        val p = prepare(tiled(repeats, start), options.copy(wrap = wrap))
+        val viewport = new Viewport(config)
+        val corners  = p.clipTriangles.map(_.v.map(viewport.pack(_, (0, 0))))
+        assert(corners.map(c => viewport.area(c(0), c(1), c(2))).sum == 2 * 200L * 16 * 200 * 16, "gaps or overlaps")
+        for (pass <- p.passes; v <- pass.vertices) assert(v.fault.isEmpty)
+        if (p.passes.length == 1)
+          for ((clip, t) <- p.clipTriangles.zip(p.passes.head.triangles))
+            for ((v, packed) <- clip.v.zip(Seq(t.v0, t.v1, t.v2).map(p.passes.head.vertices))) {
+              val off = v.s - packed.s / 65536.0
+              assert((off - off.round).abs < 1e-4 && off.round % 2 == 0, "whole repeats, an even number")
+            }
+      }
+    }
+  }
+
+  test("what cannot be drawn is refused with its place: the scene's triangle, or the file's line") {
+    def message(s: Scene, o: DrawOptions = options) = intercept[InputError](prepare(s, o)).message
+    val wide = tiled(Domain.MaxMeshRepeats * 2, 0)
+    assert(message(wide).startsWith("test: triangle 1: texture coordinate s runs from 0.0 to 2048.0 repeats"))
+    val read = wide.copy(origin = Some(SceneOrigin(java.nio.file.Paths.get("a.obj"), IndexedSeq(7, 8))))
+    assert(message(read).startsWith("a.obj:7: texture coordinate s"))
+    assert(message(tiled(200, 0), options.copy(wrap = Wrap.Clamp)).startsWith("test: triangle 1: texture coordinate s"))
+    val crowd = (0 until 1100).map(i => triangle(vertex(-1, -1, i * 1e-3), vertex(1, -1, i * 1e-3), vertex(0, 1, i * 1e-3)))
+    assert(message(scene(crowd)).startsWith("test: 1100 triangles with"))
   }
 }

@@ -1,15 +1,17 @@
 package frustum.host
 
-import frustum.InputError
 import frustum.host.Fixtures._
 import frustum.spec._
 import org.scalatest.funsuite.AnyFunSuite
 
 class RepeatRemovalTest extends AnyFunSuite {
-  private def offset(wrap: Wrap, w: Seq[Double], s: Seq[Double], t: Seq[Double] = Seq(0, 0, 0)) = {
+  private def triangle(wrap: Wrap, w: Seq[Double], s: Seq[Double], t: Seq[Double]) = {
     val v = (0 to 2).map(i => clipVertex(0, 0, 0, w(i), s(i), t(i)))
-    RepeatRemoval.offset(ClipTriangle(v, RenderState(wrapS = wrap, wrapT = wrap)))
+    ClipTriangle(v, RenderState(wrapS = wrap, wrapT = wrap))
   }
+
+  private def offset(wrap: Wrap, w: Seq[Double], s: Seq[Double], t: Seq[Double] = Seq(0, 0, 0)) =
+    RepeatRemoval.offset(triangle(wrap, w, s, t))
 
   test("coordinates near 0 stay") {
     assert(offset(Wrap.Repeat, Seq(1, 2, 3), Seq(0, 1.9, 127)) == ((0, 0)))
@@ -39,10 +41,18 @@ class RepeatRemovalTest extends AnyFunSuite {
     }
   }
 
-  test("what still exceeds the format is refused with the numbers") {
-    val error = intercept[InputError](offset(Wrap.Repeat, Seq(1, 2, 3), Seq(0, 300, 5)))
-    assert(error.message.contains("from 0.0 to 300.0 repeats") && error.message.contains("fewer than 254"))
-    for (s <- Seq(Seq(1000.0, 1001, 1002), Seq(0.0, 1, 128))) intercept[InputError](offset(Wrap.Clamp, Seq(1, 2, 3), s))
-    intercept[InputError](offset(Wrap.Repeat, Seq(1, 2, 3), Seq(0, 0, 0), Seq(1e300, 0, 0)))
+  test("what exceeds the domain is refused with the numbers") {
+    def fault(wrap: Wrap, s: Seq[Double], t: Seq[Double] = Seq(0, 0, 0)) = RepeatRemoval.fault(triangle(wrap, Seq(1, 2, 3), s, t))
+    val message = fault(Wrap.Repeat, Seq(0, 1025, 5)).get
+    assert(message.contains("s runs from 0.0 to 1025.0 repeats") && message.contains("at most 1024"))
+    assert(fault(Wrap.Repeat, Seq(0, 1024, 5)).isEmpty && fault(Wrap.Mirror, Seq(-512, 512, 5)).isEmpty)
+    for (s <- Seq(Seq(1000.0, 1001, 1002), Seq(0.0, 1, 128))) assert(fault(Wrap.Clamp, s).get.contains("fewer than 128"))
+    assert(fault(Wrap.Repeat, Seq(0, 0, 0), Seq(1e300, 1e300, 1e300)).get.startsWith("texture coordinate t"))
+  }
+
+  test("a triangle is cut only where it must be") {
+    def parts(s: Double) = RepeatRemoval.parts(triangle(Wrap.Repeat, Seq(1, 2, 3), Seq(0, s, 5), Seq(0, 0, 0)))
+    assert(parts(253).length == 1)
+    assert(parts(256).length == 2 && parts(256).map(_.v.map(_.s)).forall(s => s.max - s.min <= 254))
   }
 }

@@ -52,6 +52,31 @@ class ObjSceneTest extends AnyFunSuite {
     )
   }
 
+  test("polygons with corners inwards are cut along diagonals within them") {
+    // an L, an arrow head, and the L seen from behind, each from every corner on
+    val l     = IndexedSeq((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2))
+    val arrow = IndexedSeq((0, 0), (4, 3), (0, 1), (-4, 3))
+    for ((shape, area) <- Seq(l -> 3.0, arrow -> 4.0, l.reverse -> 3.0); first <- shape.indices) {
+      val corners   = shape.drop(first) ++ shape.take(first)
+      val triangles = read(corners.map { case (x, y) => s"v $x $y 5\n" }.mkString + "f 1 2 3 4 5 6".take(1 + 2 * shape.length)).triangles
+      val normals   = triangles.map { t =>
+        new Vector3d(t.v1.position).sub(t.v0.position).cross(new Vector3d(t.v2.position).sub(t.v0.position))
+      }
+      assert(triangles.length == shape.length - 2)
+      assert(normals.map(_.z.sign).distinct.length == 1, s"$corners: a triangle turns the other way")
+      assert((normals.map(_.z).sum / 2).abs == area, s"$corners")
+    }
+  }
+
+  test("a polygon that crosses itself or has no area gives as many triangles as any") {
+    assert(read("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4").triangles.length == 2)
+    assert(read("v 0 0 0\nv 1 1 0\nv 2 2 0\nv 3 3 0\nf 1 2 3 4 1").triangles.length == 3)
+  }
+
+  test("a byte order mark is no statement") {
+    assert(read("\ufeff" + square + "f 1 2 3").triangles.length == 1)
+  }
+
   test("relative indices, normals, coordinates, comments, continued lines, foreign statements") {
     val s = read(square + "vn 0 3 0 # up\no thing\ng a b\ns off\nf -4/-4/-1 \\\n  -3/-3/1 3/3/1\r\n\n# end")
     val v = s.triangles.head.vertices
