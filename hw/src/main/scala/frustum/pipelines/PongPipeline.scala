@@ -92,7 +92,9 @@ case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic) e
     ),
     ray.latency - TextOverlay.Latency
   )
-  private val (cell, dot, hPulse, vPulse) = (late(3), late(2), late(1), late(0))
+  // After a reset the memory still holds what was on its way: no pulse of it reaches the pins.
+  private val settled                     = RegInit(False) setWhen scanner.io.frameEnd
+  private val (cell, dot, hPulse, vPulse) = (late(3), late(2), late(1) && settled, late(0) && settled)
 
   val dither = OrderedDither(format)
   // The beam has gone on by the latency, into the blank at most: its row is the pixel's.

@@ -55,6 +55,28 @@ class PongPipelineTest extends AnyFunSuite {
     }
   }
 
+  test("a reset in the middle of a pulse leaves no pulse behind") {
+    val m = mode.copy(vPositive = true, vFront = 1)
+    FrustumSim.compile("PongPipeline_reset")(PongPipeline(PongPipelineConfig(m, scene = PongScene.room(256, 96, 3))))
+      .doSim("reset", 5) { dut =>
+        SimTimeout(1000L * 1000 * 1000)
+        Seq(dut.io.buttons.up, dut.io.buttons.down, dut.io.buttons.left, dut.io.buttons.right).foreach(_ #= false)
+        def quiet(what: String) = for (clock <- 0 until m.width) {
+          dut.clockDomain.waitSampling()
+          assert(!dut.io.video.hSync.toBoolean && !dut.io.video.vSync.toBoolean, s"$what, clock $clock")
+        }
+        dut.clockDomain.forkStimulus(10)
+        dut.clockDomain.waitSampling()
+        quiet("from the start")
+        while (!(dut.io.video.vSync.toBoolean && dut.io.video.hSync.toBoolean)) dut.clockDomain.waitSampling()
+        dut.clockDomain.waitSampling(20)
+        dut.clockDomain.assertReset()
+        sleep(30)
+        dut.clockDomain.deassertReset()
+        quiet("after the reset")
+      }
+  }
+
   test("timings are those of spinal.lib") {
     FrustumSim
       .compile("VgaTimings")(new spinal.core.Component {
