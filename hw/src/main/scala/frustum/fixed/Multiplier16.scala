@@ -42,23 +42,8 @@ case class Multiplier16(
       mac.io.B := io.b
       mac.io.C := (if (add) io.addend(31 downto 16) else B(0, 16 bits))
       mac.io.D := (if (add) io.addend(15 downto 0) else B(0, 16 bits))
+      mac.idle(besides = mac.io.AHOLD, mac.io.ADDSUBTOP, mac.io.ADDSUBBOT)
       mac.io.AHOLD := holdA
-      Seq(
-        mac.io.BHOLD,
-        mac.io.CHOLD,
-        mac.io.DHOLD,
-        mac.io.IRSTTOP,
-        mac.io.IRSTBOT,
-        mac.io.ORSTTOP,
-        mac.io.ORSTBOT,
-        mac.io.OLOADTOP,
-        mac.io.OLOADBOT,
-        mac.io.OHOLDTOP,
-        mac.io.OHOLDBOT,
-        mac.io.CI,
-        mac.io.ACCUMCI,
-        mac.io.SIGNEXTIN
-      ).foreach(_ := False)
       mac.io.ADDSUBTOP := Bool(subtract)
       mac.io.ADDSUBBOT := Bool(subtract)
       io.product := mac.io.O

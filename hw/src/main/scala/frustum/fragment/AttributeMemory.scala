@@ -9,7 +9,7 @@ import spinal.lib._
   * order, attributes when `fetch` says so and the depth later, at `fetchDepth`. Each is shown the clock after
   * and until the next.
   *
-  * It is never full: the stages between hold eleven fragments at most.
+  * It is never full: the stages between hold twelve fragments at most.
   */
 case class AttributeMemory(config: RasterConfig) extends Component {
   val io = new Bundle {

@@ -1,5 +1,7 @@
 package frustum.fragment
 
+import frustum.blackbox.Tech
+import frustum.fixed.MultiplyAddPair
 import frustum.frame.{TileClear, TileMemory}
 import frustum.raster.RenderStateWord
 import frustum.spec.RasterConfig
@@ -12,10 +14,10 @@ import spinal.lib._
   * blended.
   *
   * With w = a + (a >> 4), 0..32, a channel becomes (src w + dst (32 - w) + 16) >> 5, exact at both ends.
-  * Since w is the sum of a's bits at their weights and of bit 4 once more, that is a sum of six terms, each
-  * src or dst.
+  * That is dst 32 + 16 + (src - dst) w; in logic cells, since w is the sum of a's bits at their weights and of bit 4 once
+  * more, a sum of six terms, each src or dst.
   */
-case class Blend(config: RasterConfig) extends Component {
+case class Blend(config: RasterConfig, tech: Tech) extends Component {
   val io = new Bundle {
     val up = slave(Flow(PixelWrite(config)))
     val passed = in Bool () // whether what entered a clock ago is to be written
@@ -32,22 +34,9 @@ case class Blend(config: RasterConfig) extends Component {
   memory.io.clearValue := io.clearColor
   io.color := memory.io.resolvedData
 
-  /** Two partial sums of a channel: `low` holds the terms of weights 1 and 2, `high` those of 4 and 8. */
-  case class Partial(width: Int) extends Bundle {
-    val low, high = UInt(width + 2 bits)
-    val top = UInt(width bits)
-    def sum: UInt = {
-      val rounded = (((low ## True).asUInt +^ (top ## True).asUInt) >> 1).resize(width + 3)
-      val upper = (high ## B"11").asUInt +^ (top ## B"1100").asUInt // 15 in the bits that are free
-      ((upper + rounded.resize(width + 5)) >> 5).resize(width)
-    }
-  }
   case class Mixed() extends Bundle {
     val address = UInt(widthOf(io.up.address) bits)
     val bank = UInt(1 bits)
-    val r = Partial(5)
-    val g = Partial(6)
-    val b = Partial(5)
     val tileEnd = Bool()
   }
 
@@ -58,34 +47,41 @@ case class Blend(config: RasterConfig) extends Component {
   memory.io.readBank := io.up.bank
   memory.io.readAddress := io.up.address
 
-  val stored = memory.io.readData
-  val takeSource = fetched.a.asBits | !io.state.blend #* 5
   val mixing = Mixed()
-  mixing.address := fetched.address
-  mixing.bank := fetched.bank
-  mixing.tileEnd := fetched.tileEnd
-  for (
-    (partial, source, target) <- Seq(
-      (mixing.r, fetched.r, stored(15 downto 11)),
-      (mixing.g, fetched.g, stored(10 downto 5)),
-      (mixing.b, fetched.b, stored(4 downto 0))
-    )
-  ) {
-    val terms = takeSource.asBools.map(Mux(_, source, target.asUInt))
-    partial.low := ((terms(1) << 1) +^ terms(0)).resized
-    partial.high := ((terms(3) << 1) +^ terms(2)).resized
-    partial.top := terms(4)
-  }
+  mixing.assignSomeByName(fetched.payload)
   mixed << fetched.takeWhen(io.passed).translateWith(mixing).m2sPipe
 
-  memory.io.writeEnable := mixed.valid && !mixed.tileEnd
-  memory.io.writeBank := mixed.bank
+  memory.io.writeEnable := (mixed.valid && !mixed.tileEnd) #* 2 & UIntToOh(mixed.bank)
   memory.io.writeAddress := mixed.address
-  // Without blending, synthesis would not see that the sums of equal terms are those terms.
-  memory.io.writeData := (
-    if (config.fixed.neverBlends) RegNext(fetched.r ## fetched.g ## fetched.b)
-    else mixed.r.sum ## mixed.g.sum ## mixed.b.sum
-  )
+  memory.io.writeData := (if (config.fixed.neverBlends) RegNext(fetched.r ## fetched.g ## fetched.b) else mix)
+
+  /** The colour for what is in `mixed`: red and blue by the multipliers, green by logic cells. */
+  def mix: Bits = {
+    val stored = memory.io.readData
+    val weight = UInt(6 bits)
+    weight := fetched.a +^ fetched.a.msb.asUInt
+    when(!io.state.blend) { weight := 32 }
+
+    val channels = Seq(fetched.b -> stored(4 downto 0), fetched.r -> stored(15 downto 11))
+    val multipliers = MultiplyAddPair(tech)
+    for (((source, target), i) <- channels.zipWithIndex) {
+      multipliers.io.a(i) := (source.intoSInt - target.asUInt.intoSInt).resize(8)
+      multipliers.io.b(i) := weight.resized
+      multipliers.io.addend(i) := (target ## B"10000").asUInt.resized
+    }
+    val Seq(b, r) = multipliers.io.result.map(_(9 downto 5)).toSeq
+
+    // Two partial sums: `low` holds the terms of weights 1 and 2, `high` those of 4 and 8.
+    val takeSource = fetched.a.asBits | !io.state.blend #* 5
+    val terms = takeSource.asBools.map(Mux(_, fetched.g, stored(10 downto 5).asUInt))
+    val low = RegNext(((terms(1) << 1) +^ terms(0)).resize(8))
+    val high = RegNext(((terms(3) << 1) +^ terms(2)).resize(8))
+    val top = RegNext(terms(4))
+    val rounded = (((low ## True).asUInt +^ (top ## True).asUInt) >> 1).resize(9)
+    val upper = (high ## B"11").asUInt +^ (top ## B"1100").asUInt // 15 in the bits that are free
+    val g = ((upper + rounded.resize(11)) >> 5).resize(6)
+    r ## g ## b
+  }
 
   io.tileEnd.valid := mixed.valid && mixed.tileEnd
   io.tileEnd.payload := mixed.bank

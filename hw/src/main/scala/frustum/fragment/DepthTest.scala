@@ -34,7 +34,8 @@ case class DepthTest(config: RasterConfig) extends Component {
   memory.io.readAddress := io.up.address
 
   val stored = io.up.m2sPipe
-  val storedBank = RegNext(bank)
+  // The bank that the fragment may be written to.
+  val writes = RegNext((io.up.valid && !io.up.tileEnd && io.state.depthWrite) #* 2 & UIntToOh(bank)) init 0
   val complement = memory.io.readData.asUInt
   val passing = io.state.depthFunction
   // z + ~depth overflows where z is greater, and with a carry in where z is no less. Two carry chains: synthesis
@@ -42,8 +43,7 @@ case class DepthTest(config: RasterConfig) extends Component {
   val farther = (io.z +^ complement).msb
   val nearer = !((io.z ## True).asUInt +^ (complement ## True).asUInt).msb
   val pass = Mux(nearer, passing(0), Mux(farther, passing(2), passing(1)))
-  memory.io.writeEnable := stored.valid && !stored.tileEnd && pass && io.state.depthWrite
-  memory.io.writeBank := storedBank
+  memory.io.writeEnable := pass #* 2 & writes
   memory.io.writeAddress := stored.address
   memory.io.writeData := ~io.z.asBits
 

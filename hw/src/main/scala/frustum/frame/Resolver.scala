@@ -50,16 +50,17 @@ case class Resolver(config: RasterConfig) extends Component {
   val shown = new Area {
     val valid = RegInit(False)
     val address = Reg(Resolver.this.address)
-    val visible = Reg(Bool())
-    val sending = valid && visible && !clearing
-    val move = !sending || io.pixels.ready
+    val visible = RegInit(False) // to be sent
+    val first = Reg(Bool()) // of the tile
+    val move = !visible || io.pixels.ready
     val last = valid && move && address.andR
   }
   val issue = (walking || clearing) && !(shown.valid && shown.address.andR)
   when(shown.move) {
     shown.valid := issue
     shown.address := address
-    shown.visible := onScreen(address, position)
+    shown.first := address === 0
+    shown.visible := issue && !clearing && onScreen(address, position)
     when(issue) { address := address + 1 }
   }
   when(shown.last) {
@@ -78,9 +79,9 @@ case class Resolver(config: RasterConfig) extends Component {
   io.clear.done := shown.last && walking
   io.clearColor := color
 
-  io.pixels.valid := shown.sending
+  io.pixels.valid := shown.visible
   io.pixels.color := io.color
-  io.pixels.first := shown.address === 0
+  io.pixels.first := shown.first
   io.pixels.tileX := position.tileX
   io.pixels.tileY := position.tileY
 

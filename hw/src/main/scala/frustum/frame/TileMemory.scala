@@ -6,7 +6,7 @@ import spinal.lib._
 
 /** Memory of one tile in two banks: one is drawn to (a read and a write a clock), the other resolved and
   * cleared. Read data comes one clock after `readEnable` and holds. Reading a word in the clock it is written
-  * is undefined: those who draw keep away from it.
+  * is undefined: those who draw keep away from it, and from the bank that is resolved.
   *
   * @param resolved
   *   whether the resolver reads it; otherwise it is only cleared
@@ -18,8 +18,7 @@ case class TileMemory(config: RasterConfig, width: Int, resolved: Boolean) exten
     val readBank = in UInt (1 bits)
     val readAddress = in UInt (addressBits bits)
     val readData = out Bits (width bits)
-    val writeEnable = in Bool ()
-    val writeBank = in UInt (1 bits)
+    val writeEnable = in Bits (2 bits) // a bit for each bank
     val writeAddress = in UInt (addressBits bits)
     val writeData = in Bits (width bits)
     val clear = slave(TileClear(config))
@@ -33,7 +32,7 @@ case class TileMemory(config: RasterConfig, width: Int, resolved: Boolean) exten
     memory.write(
       address = Mux(theirs, io.clear.writeAddress, io.writeAddress),
       data = Mux(theirs, io.clearValue, io.writeData),
-      enable = Mux(theirs, io.clear.write, io.writeEnable && io.writeBank === i)
+      enable = theirs && io.clear.write || io.writeEnable(i)
     )
     if (resolved)
       memory.readSync(

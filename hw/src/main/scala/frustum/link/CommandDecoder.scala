@@ -18,7 +18,7 @@ import spinal.lib._
   *   - a refused command changes nothing, but for texels that run beyond the memory, of which those within it are
   *     written, and for `begin`, which ends the frame begun before it in any case
   *   - a refused vertex leaves its slot with a tag of another frame; a position out of range is not stored
-  *   - a triangle costs about 51 clocks, a vertex 26
+  *   - a triangle costs about 58 clocks, a vertex 31
   */
 case class CommandDecoder(config: RasterConfig) extends Component {
   val layout = StoreLayout(config)
@@ -50,6 +50,10 @@ case class CommandDecoder(config: RasterConfig) extends Component {
     left := left - 1
     none := left === 1
   }
+  // A word is judged a clock after it came, by what was found then.
+  val judged = RegNext(!took)
+  val high12 = RegNext(data(15 downto 4) =/= 0)
+  val high5  = RegNext(data(15 downto 11) =/= 0)
   when(took || rotate) {
     data := Mux(rotate, data(31 downto 30) ## data(9 downto 0) ## data(29 downto 10), data(15 downto 0) ## word)
   }
@@ -62,7 +66,7 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   // Address of a vertex's word or a texel; counts up as words are written.
   val address      = Reg(UInt(16 bits))
   val count        = False
-  val frameHeader  = new FrameHeader(config, word)
+  val frameHeader  = new FrameHeader(config, data(15 downto 0))
   val triangle     = new TriangleAssembly(config, frameHeader.tag, address, io.store.rsp.payload, state === response)
   val vertexOffset = triangle.tagRead ## triangle.tagRead // 0, or 3: the word that holds the tag
   val vertexWord   = ((data(9 downto 0) ## vertexOffset).asUInt +^ data(9 downto 0).asUInt).resize(16)
@@ -76,10 +80,8 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   val pair     = Reg(UInt(3 bits)) // of the vertex's words
   val check    = VertexCheck()
   check.io.clear        := False
-  // It looks at a word in the clock after it was taken.
-  val checking = RegNext(took && is_(Command.Vertices) && (state === fetchFirst || state === fetchSecond)) init False
-  check.io.word.valid   := checking
-  check.io.word.payload := data(15 downto 0)
+  check.io.word.valid   := io.words.valid && is_(Command.Vertices) && (state === fetchFirst || state === fetchSecond)
+  check.io.word.payload := word
   check.io.pair         := pair
   check.io.second       := state === writeVertex
 
@@ -89,8 +91,14 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   place := address.resized
   when(state === writeIndices || half)(place := layout.triangles + (triangle.stored ## half).asUInt.resize(placeBits))
   when(state === writeState)(place := layout.states + triangle.renderState.asUInt.resize(placeBits))
-  io.store.cmd.valid   := False
-  io.store.cmd.write   := state =/= read
+  // The store is asked a clock after a state wants to, so that a register alone decides who has its port.
+  val ask    = False
+  val asking = RegNext(ask && !io.store.cmd.fire) init False
+  val served = io.store.cmd.fire
+  io.store.cmd.valid   := asking
+  // What is not to be stored is read in place of written: nobody looks at the answer.
+  val spare  = state === writeVertex && (beyond || check.io.fault && pair =/= 3)
+  io.store.cmd.write   := state =/= read && !spare
   io.store.cmd.address := frameHeader.bank.asUInt @@ place
   io.store.cmd.data    := data
   when(half)(io.store.cmd.data := triangle.renderState ## data(27 downto 20) ## triangle.boxBits)
@@ -109,7 +117,6 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   )
   io.job.valid         := state === hand
   frameHeader.fill(io.job.payload, triangle.stored)
-  frameHeader.vertical := state === regionY
 
   io.events.accepted        := state === finish && !refused
   io.events.refused         := state === finish && refused
@@ -119,7 +126,6 @@ case class CommandDecoder(config: RasterConfig) extends Component {
 
   /** Uses up the word in hand and goes on to `next`. */
   def after(next: SpinalEnumElement[DecoderState.type]): Unit = { take := True; when(io.words.valid)(state := next) }
-  def refuseIf(condition: Bool): Unit = when(condition && io.words.valid)(refused := True)
   def nextGroup(): Unit = state := Mux(none, finish(), fetchFirst())
 
   switch(state) {
@@ -137,9 +143,9 @@ case class CommandDecoder(config: RasterConfig) extends Component {
     is(dispatch) {
       switch(opcode) {
         is(Command.Begin.opcode)(state := begin)
-        is(Command.State.opcode)(state := stateIndex)
+        is(Command.State.opcode)(state := renderState)
         is(Command.Vertices.opcode)(state := firstVertex)
-        is(Command.Triangles.opcode)(state := commonState)
+        is(Command.Triangles.opcode)(state := renderState)
         is(Command.Texels.opcode)(state := texelAddress)
         is(Command.Draw.opcode)(state := drawVertices)
         default { refused := True; state := skip }
@@ -160,23 +166,27 @@ case class CommandDecoder(config: RasterConfig) extends Component {
       vertices         := 0
       triangle.arrived := 0
       triangle.stored  := 0
+      frameHeader.vertical := False
       when(!jobs.msb)(state := frame)
     }
     is(frame) { frameHeader.tag := word(6 downto 0); after(color) }
-    is(color) { frameHeader.clearColor := word; after(regionX) }
-    is(regionX, regionY) {
-      when(io.words.valid)(frameHeader.takeRange())
-      refuseIf(frameHeader.badRange)
-      take := True
-      when(io.words.valid)(state := Mux(frameHeader.vertical, finish(), regionY()))
+    is(color) { frameHeader.clearColor := word; after(region) }
+    is(region)(after(range))
+    is(range) {
+      when(judged) {
+        frameHeader.takeRange()
+        when(frameHeader.badRange)(refused := True)
+        state := Mux(frameHeader.vertical, finish(), region())
+      }
     }
 
-    is(stateIndex, commonState) {
-      val bad = word(15 downto 4) =/= 0
-      triangle.renderState := word(3 downto 0)
-      refuseIf(bad)
-      take := True
-      when(io.words.valid)(state := Mux(bad, skip(), fetchFirst()))
+    is(renderState)(after(loadState))
+    is(loadState) {
+      triangle.renderState := data(3 downto 0)
+      when(judged) {
+        state := Mux(high12, skip(), fetchFirst())
+        when(high12)(refused := True)
+      }
     }
     is(firstVertex)(after(loadVertex))
     is(loadVertex) {
@@ -195,21 +205,20 @@ case class CommandDecoder(config: RasterConfig) extends Component {
       }
     }
     is(writeState) {
-      io.store.cmd.valid := True
-      when(io.store.cmd.ready)(state := finish)
+      ask := True
+      when(served)(state := finish)
       if (config.fixed != FixedState.None) {
         def constant(v: Int) = B(BigInt(v & 0xffffffffL), 32 bits).rotateRight(16) // first word of the wire above
         when((data & constant(config.fixed.mask)) =/= constant(config.fixed.value)) {
-          io.store.cmd.valid := False
+          ask := False
           refused := True
           state := finish
         }
       }
     }
     is(writeVertex) {
-      val write = !beyond && (!check.io.fault || pair === 3)
-      io.store.cmd.valid := write && !checking
-      when(!checking && (!write || io.store.cmd.ready)) {
+      ask := !check.io.busy
+      when(served) {
         count := True
         pair  := pair + 1
         state := fetchFirst
@@ -226,8 +235,8 @@ case class CommandDecoder(config: RasterConfig) extends Component {
 
     is(load)(state := read)
     is(read) {
-      io.store.cmd.valid := True
-      when(io.store.cmd.ready)(state := response)
+      ask := True
+      when(served)(state := response)
     }
     is(response) {
       triangle.answer()
@@ -246,26 +255,29 @@ case class CommandDecoder(config: RasterConfig) extends Component {
       }
     }
     is(writeIndices) {
-      io.store.cmd.valid := True
-      when(io.store.cmd.ready)(state := writeBox)
+      ask := True
+      when(served)(state := writeBox)
     }
     is(writeBox) {
-      io.store.cmd.valid := True
-      when(io.store.cmd.ready) { triangle.stored := triangle.stored + 1; nextGroup() }
+      ask := True
+      when(served) { triangle.stored := triangle.stored + 1; nextGroup() }
     }
 
     is(texelAddress)(after(loadTexel))
     is(loadTexel) {
-      when(data(15 downto 11) =/= 0) { // also keeps the address from wrapping
-        refused := True
-        state   := skip
-      } elsewhen (jobs === 0)(state := texel)
+      when(judged) {
+        when(high5) { // also keeps the address from wrapping
+          refused := True
+          state   := skip
+        } elsewhen (!io.drawing)(state := texel)
+      }
     }
     is(texel) {
       when(none)(state := finish) otherwise {
-        take := io.texels.ready || !texelFits
+        val goes = io.texels.ready || !texelFits
+        take  := goes
+        count := goes && io.words.valid
         when(io.words.valid && !texelFits)(refused := True)
-        count := took
       }
     }
 

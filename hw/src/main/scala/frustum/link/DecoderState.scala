@@ -2,11 +2,11 @@ package frustum.link
 
 import spinal.core._
 
-/** States of [[CommandDecoder]]; `hand` is handing the job over, `commonState` the render state of triangles. */
-object DecoderState extends SpinalEnum {
+/** States of [[CommandDecoder]]; `hand` is handing the job over, `range` judges the tiles that `region` brought. */
+object DecoderState extends SpinalEnum(binaryOneHot) {
   val header, dispatch, skip, finish = newElement()
-  val begin, frame, color, regionX, regionY = newElement()
-  val stateIndex, commonState, firstVertex, loadVertex = newElement()
+  val begin, frame, color, region, range = newElement()
+  val renderState, loadState, firstVertex, loadVertex = newElement()
   val fetchFirst, fetchSecond, writeState, writeVertex = newElement()
   val load, read, response, settle, axisDone, writeIndices, writeBox = newElement()
   val texelAddress, loadTexel, texel = newElement()

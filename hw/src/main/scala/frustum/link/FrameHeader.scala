@@ -5,7 +5,7 @@ import spinal.core._
 
 /** What [[CommandDecoder]] knows of the frame being filled: `open` from a good `begin` to `draw`.
   *
-  * @param word the word of `begin` in hand
+  * @param word of `begin`, as it came last
   */
 class FrameHeader(config: RasterConfig, word: Bits) extends Area {
   val open       = RegInit(False)
@@ -14,10 +14,10 @@ class FrameHeader(config: RasterConfig, word: Bits) extends Area {
   val clearColor = Reg(Bits(16 bits))
   val region     = Reg(Vec.fill(4)(UInt(5 bits))) // x0, x1, y0, y1
 
-  val vertical      = Bool() // the range in hand is that of y
+  val vertical      = Reg(Bool()) // the range in hand is that of y
   val (first, last) = (word(12 downto 8).asUInt, word(4 downto 0).asUInt)
   val lastTile      = Mux(vertical, U(config.tilesY - 1, 5 bits), U(config.tilesX - 1, 5 bits))
-  val badRange      = (word & 0xe0e0) =/= 0 || first > last || last > lastTile
+  val badRange      = RegNext((word & 0xe0e0) =/= 0 || first > last || last > lastTile) // of the word a clock ago
 
   /** Takes a range of tiles; x comes first and is moved on by y. */
   def takeRange(): Unit = {
@@ -25,6 +25,7 @@ class FrameHeader(config: RasterConfig, word: Bits) extends Area {
     region(1) := region(3)
     region(2) := first
     region(3) := last
+    vertical  := True
   }
 
   def fill(job: FrameJob, triangleCount: UInt): Unit = {

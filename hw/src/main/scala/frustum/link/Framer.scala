@@ -12,7 +12,7 @@ import spinal.lib._
   * a command with an error, one cut short by the next flag, one that found no room, and a run of bytes before any
   * flag (which is what a command looks like whose flag got lost). Flags may repeat: they serve as filling.
   *
-  * Takes a byte a clock except for one clock at a length and one after a checksum.
+  * Takes a byte a clock except for three clocks after a length and one after a checksum.
   *
   * @param dropWhenFull true: bytes are always taken and a command that finds the FIFO full is dropped, for sources
   *                     that cannot wait; false: the byte stream waits
@@ -35,6 +35,7 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
   val escaped = RegInit(False)
   val second  = Reg(Bool()) // the byte in hand is the second of its word
   val high    = Reg(Bits(8 bits))
+  val low     = Reg(Bits(8 bits)) // the byte before
   val left    = Reg(UInt(7 bits)) // payload words still to come
   val crc     = Reg(Bits(16 bits))
 
@@ -44,11 +45,10 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
   val plain    = io.bytes.payload ^ (escaped.asBits.resize(8) |<< log2Up(Command.EscapeXor))
   when(io.bytes.fire)(escaped := isEscape)
   val symbols = io.bytes.throwWhen(isEscape).translateWith(isFlag ## plain).m2sPipe()
-  // A length is looked at for a clock before it is taken.
-  val atLength = state === header && second
-  val looked   = RegNext(atLength && symbols.valid && !symbols.ready) init False
-  val fits     = RegNext(Framer.shapeAccepted(high, symbols.payload(7 downto 0)))
-  symbols.ready := state =/= check && (!atLength || looked) && (if (dropWhenFull) True else fifo.io.room)
+  // Opcode and length are looked at for two clocks, and then judged.
+  val fits   = RegNext(Command.all.map(c => RegNext(high === c.opcode) && RegNext(Framer.lengthAccepted(c, low))).orR)
+  val inWord = state === stray || state === skip || state === header || state === body
+  symbols.ready := inWord && (if (dropWhenFull) True else fifo.io.room)
 
   val flag = symbols.fire && symbols.payload.msb
   val data = symbols.fire && !symbols.payload.msb
@@ -57,7 +57,7 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
   // Words reach the FIFO a clock later: two clocks at least before a commit, and before the next word is complete.
   val push = False
   val drop = False
-  val low  = RegNext(byte)
+  when(data)(low := byte)
   fifo.io.push.valid   := RegNext(push) init False
   fifo.io.push.payload := high ## low
   fifo.io.commit       := False
@@ -73,11 +73,12 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
     is(stray) {
       when(data) { drop := True; state := skip }
     }
-    is(header) {
-      when(data && second) {
-        left := byte.asUInt.resized
-        when(fits) { push := True; state := body } otherwise { drop := True; state := skip }
-      }
+    is(header)(when(data && second)(state := look))
+    is(look)(state := lookOn)
+    is(lookOn)(state := judge)
+    is(judge) {
+      left := low.asUInt.resized
+      when(fits) { push := True; state := body } otherwise { drop := True; state := skip }
     }
     is(body) {
       when(data && second) {
@@ -100,7 +101,7 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
 
 /** `stray`: no command begun, the next byte that is no flag is an error; `skip`: error counted, waiting for a flag. */
 object FramerState extends SpinalEnum {
-  val stray, skip, header, body, check = newElement()
+  val stray, skip, header, look, lookOn, judge, body, check = newElement()
 }
 
 object Framer {
@@ -119,15 +120,13 @@ object Framer {
     (crc |<< 8) ^ (u |<< 12) ^ (u |<< 5) ^ u
   }
 
-  /** The opcode is known and allows this length. Progressions by a power of two take a comparison, others a list. */
-  def shapeAccepted(opcode: Bits, length: Bits): Bool = Command.all.map { command =>
+  /** The command may have this length. Progressions by a power of two take a comparison, others a list. */
+  def lengthAccepted(command: Command, length: Bits): Bool = {
     val lengths = CommandShape.lengths(command)
     val step    = if (lengths.size > 1) lengths(1) - lengths.head else 0
-    val fits =
-      if (lengths.size > 2 && isPow2(step)) {
-        val aligned = if (step == 1) True else length(log2Up(step) - 1 downto 0) === lengths.head % step
-        aligned && length.asUInt >= lengths.head && length.asUInt <= Command.MaxWords
-      } else lengths.map(length === _).orR
-    opcode === command.opcode && fits
-  }.orR
+    if (lengths.size > 2 && isPow2(step)) {
+      val aligned = if (step == 1) True else length(log2Up(step) - 1 downto 0) === lengths.head % step
+      aligned && length.asUInt >= lengths.head && length.asUInt <= Command.MaxWords
+    } else lengths.map(length === _).orR
+  }
 }

@@ -34,7 +34,8 @@ class TriangleAssembly(config: RasterConfig, tag: Bits, address: UInt, corners: 
   val lastCorner = corner === 2
 
   val nothing = missed || box.io.empty
-  val refused = stale || (!nothing && stored === config.maxTriangles)
+  val full    = RegNext(stored === config.maxTriangles)
+  val refused = stale || (!nothing && full)
 
   /** The box as the lower bits of the triangle's second word hold it. */
   val boxBits = firstX ## lastX ## box.io.firstY ## box.io.lastY

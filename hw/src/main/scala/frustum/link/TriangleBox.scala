@@ -31,26 +31,31 @@ case class TriangleBox(config: RasterConfig) extends Component {
   val left       = coordinate.sign
   val right      = pixel >= limit
 
+  // A coordinate's pixel and whether it lies on its centre; between coordinates, the least one's and true.
   val clipped  = RegNext(taken) init False
   val position = Reg(UInt(pixelBits bits))
   val onCentre = Reg(Bool())
+  val least    = Reg(UInt(pixelBits bits))
+  val greatest = Reg(UInt(pixelBits + 1 bits)) // and whether on the centre
   position := (pixel +^ (fraction > 8).asUInt).resize(pixelBits)
   onCentre := fraction === 8 && !left && !right
   when(right)(position := limit)
   when(left)(position := 0)
+  when(!taken) {
+    position := least
+    onCentre := True
+  }
 
-  val least    = Reg(UInt(pixelBits bits))
-  val greatest = Reg(UInt(pixelBits + 1 bits)) // and whether on the centre
+  val beyond = (position @@ onCentre.asUInt) > greatest
   when(clipped && position < least)(least := position)
-  when(clipped && (position @@ onCentre.asUInt) > greatest)(greatest := position @@ onCentre.asUInt)
+  when(clipped && beyond)(greatest := position @@ onCentre.asUInt)
   when(io.clear) {
     least.setAll()
     greatest.clearAll()
   }
 
-  val end  = RegNext((greatest >> 1) + U(greatest.lsb))
-  val last = RegNext(end - 1)
-  io.empty  := RegNext(least >= end)
+  val last = (greatest - 1) >> 1
+  io.empty  := RegNext(beyond)
   io.firstX := (least >> config.tileLog2Width).resized
   io.lastX  := (last >> config.tileLog2Width).resized
   io.firstY := (least >> config.tileLog2Height).resized

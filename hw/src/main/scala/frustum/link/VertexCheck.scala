@@ -4,8 +4,9 @@ import spinal.core._
 import spinal.lib._
 
 /** Watches the ten words of a vertex pass by and tells whether one is out of range, the same test as
-  * [[frustum.spec.PackedVertex.fault]]. `word` carries pairs of words: `pair` 0 to 4, `second` the later of a pair.
-  * `fault` is right from the clock after the word until `clear`; depth, exponent and colour cannot be out of range.
+  * [[frustum.spec.PackedVertex.fault]]. `word` carries pairs of words; in the clock after each, while `busy`, `pair` is
+  * its pair, 0 to 4, and `second` tells the later of it. `fault` is right from the clock after that until `clear`; depth,
+  * exponent and colour cannot be out of range.
   */
 case class VertexCheck() extends Component {
   val io = new Bundle {
@@ -13,27 +14,29 @@ case class VertexCheck() extends Component {
     val word   = slave(Flow(Bits(16 bits)))
     val pair   = in UInt (3 bits)
     val second = in Bool ()
+    val busy   = out(RegNext(word.valid) init False)
     val fault  = out(RegInit(False))
   }
-  val word = io.word.payload
+  private val word = io.word.payload
 
   // A field of n bits that may hold -2^(n-1) + 1 to 2^(n-1) - 1: its spare upper bits repeat the sign, and the most
   // negative value is refused, which for texture coordinates takes both words.
-  val low7     = word(6 downto 0) === 0
-  val zero14   = low7 && word(13 downto 7) === 0
-  val zero     = zero14 && word(15 downto 14) === 0
-  val position = word(15) =/= word(14) || (word(15) && zero14)
-  val signs    = word(10 downto 7)
+  val low7     = RegNext(word(6 downto 0) === 0)
+  val zero14   = low7 && RegNext(word(13 downto 7) === 0)
+  val upper    = RegNext(word(15 downto 14))
+  val signs    = RegNext(word(10 downto 7))
+  val zero     = zero14 && !upper.orR
+  val position = upper.xorR || (upper.msb && zero14)
   val texture  = !signs.andR && signs.orR
-  val lowest   = RegNextWhen(signs.andR && low7, io.word.valid && !io.second)
+  val lowest   = RegNextWhen(signs.andR && low7, io.busy && !io.second)
 
   val bad = io.pair.mux(
     0       -> position,
-    1       -> (io.second && !word(15)), // mantissa not normalised
+    1       -> (io.second && !upper.msb), // mantissa not normalised
     2       -> Mux(io.second, lowest && zero, texture),
     3       -> Mux(io.second, lowest && zero, texture),
     default -> False
   )
   when(io.clear)(io.fault := False)
-  when(io.word.valid && bad)(io.fault := True)
+  when(io.busy && bad)(io.fault := True)
 }

@@ -37,7 +37,7 @@ case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component 
   val lock = Interlock(config)
   val alpha = AlphaTest(config)
   val depth = DepthTest(config)
-  val blend = Blend(config)
+  val blend = Blend(config, tech)
   val resolver = Resolver(config)
 
   divide.io.up << io.up.translateWith {

@@ -103,8 +103,9 @@ case class EdgeWalker(config: RasterConfig) extends Component {
   val shown  = False
   val clear  = priming || shown
   val first, last = Reg(UInt(config.tileLog2Width bits))
-  val none   = Reg(Bool()) // an edge lets no pixel through
+  val none   = Reg(Bool()) // no pixel is left
   val inner  = (position.c > (fromRight ? last | first)) ^ fromRight
+  val beyond = fromRight ? (position.c < first) | (position.c > last)
   when(clear) {
     first := 0
     last := lastColumn
@@ -112,14 +113,13 @@ case class EdgeWalker(config: RasterConfig) extends Component {
   } elsewhen (finishes) {
     when(inner && !fromRight) { first := position.c }
     when(inner && fromRight) { last := position.c }
-    when(negative && !back.c) { none := True }
+    when(negative && !back.c || beyond) { none := True }
   }
-  val some = !none && first <= last
   io.up.y := row
   io.up.first := first
   io.up.last := last
   io.up.end := state === State.End
-  io.up.valid := state === State.Show && some || state === State.End
+  io.up.valid := state === State.Show && !none || state === State.End
   io.idle := state === State.Idle
 
   switch(state) {
@@ -135,7 +135,7 @@ case class EdgeWalker(config: RasterConfig) extends Component {
       when(finishes && parity.a =/= row.lsb && parity.b =/= row.lsb) { state := State.Show }
     }
     is(State.Show) {
-      when(io.up.ready || !some) {
+      when(io.up.ready || none) {
         shown := True
         row := row + 1
         state := (row === lastRow) ? State.End | State.Seek

@@ -36,7 +36,9 @@ case class Rasterizer(config: RasterConfig, slots: Int, tech: Tech) extends Comp
   sequencer.io.job >> setup.io.job
   setup.io.token >> loader.io.up
   loader.io.down >> interpolator.io.token
-  setup.io.spans.queue(1 << config.tileLog2Height) >> interpolator.io.spans
+  val spans = StreamFifo(Span(config), 1 << config.tileLog2Height, forFMax = true)
+  spans.io.push << setup.io.spans
+  spans.io.pop >> interpolator.io.spans
   setup.io.write >> interpolator.io.write
   interpolator.io.down >> io.down
 

@@ -97,36 +97,38 @@ case class SetupEngine(slots: Int, tech: Tech, planes: Seq[Int] = SetupWords.All
 
   // Clocks 2 and 3 hand the multipliers a, and b's signed lower half, then its upper half, rounded up to make good for
   // the sign.
-  val b      = RegNextWhen(data, phase)
-  val bUpper = RegNext((b(31 downto 16).asUInt + b(15).asUInt).asBits)
-  val bHalf  = phase ? bUpper | b(15 downto 0).asBits
+  val bLower = RegNextWhen(data(15 downto 0).asBits, phase)
+  val bUpper = RegNextWhen((data(31 downto 16).asUInt + data(15).asUInt).asBits, phase)
   val low    = Multiplier16(tech, signedA = false, signedB = true, hold = true)
   val high   = Multiplier16(tech, signedA = true, signedB = true, hold = true)
   low.io.a := data(15 downto 0).asBits
   high.io.a := data(31 downto 16).asBits
-  Seq(low, high).foreach { m => m.io.enable := True; m.io.b := bHalf; m.io.holdA := phase }
+  Seq(low, high).foreach { m => m.io.enable := True; m.io.b := phase ? bUpper | bLower; m.io.holdA := phase }
 
   // The instruction's control follows: stage n is valid in clocks 2 n and 2 n + 1.
   val valids   = History(executing, 4, phase, False).tail
   val controls = History(instruction, 4, phase).tail
   def control(clock: Int) = controls(clock / 2 - 1)
 
-  // Clocks 4 and 5 add the partial products (complemented to subtract), clocks 5 and 6 accumulate.
+  // Clocks 4 and 5 add the partial products (complemented to subtract), clocks 5 and 6 accumulate: the lower half of b's
+  // first, 16 bits lower.
   val complement = control(4).subtract
   val upperSum   = ComplementingAdder(32, tech)
   upperSum.io.complement := complement
   upperSum.io.a := high.io.product.asSInt
   upperSum.io.b := (low.io.product.asSInt >> 16).resize(32)
-  val product = RegNext(upperSum.io.result @@ (low.io.product(15 downto 0) ^ B(16 bits, default -> complement)).asSInt)
+  val product = upperSum.io.result @@ (low.io.product(15 downto 0) ^ B(16 bits, default -> complement)).asSInt
+  val addend  = RegNext(phase ? product | (product >> 16).resize(48))
+  val carry   = RegNext(complement)
   val accumulator = Reg(SInt(48 bits))
   val start = SInt(48 bits)
+  val fresh = RegNext(!phase && control(4).start =/= Keep.code)
+  val round = RegNext(control(4).start === Round.code || control(4).start === RoundGradient.code && !io.sliver)
   start := accumulator
-  when(phase && control(5).start =/= Keep.code) {
+  when(fresh) {
     start := 0
-    start(13) := control(5).start === Round.code || control(5).start === RoundGradient.code && !io.sliver
+    start(13) := round
   }
-  val addend = phase ? (product >> 16).resize(48) | product
-  val carry  = phase ? control(5).subtract | control(6).subtract
   accumulator := start + addend + carry.asUInt.resize(48).asSInt
 
   // Clock 7 hands the result on.

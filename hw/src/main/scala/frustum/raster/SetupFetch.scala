@@ -1,7 +1,7 @@
 package frustum.raster
 
 import frustum.link.StoreBus
-import frustum.spec.{FetchProgram, SetupWords, StoreLayout}
+import frustum.spec.{FetchProgram, RasterConfig, SetupWords, StoreLayout}
 import frustum.spec.FetchProgram.Field
 import spinal.core._
 import spinal.lib._
@@ -13,8 +13,10 @@ case class ScratchWrite() extends Bundle {
 }
 
 /** What [[frustum.spec.FetchProgram]] takes beside the store's words. */
-case class FetchValues() extends Bundle {
-  val left, right, top, bottom, firstX, firstY = UInt(10 bits) // pixels
+case class FetchValues(config: RasterConfig) extends Bundle {
+  val tileX, tileY        = UInt(5 bits)
+  val lastColumn, coveredX = UInt(config.tileLog2Width bits)
+  val lastRow, coveredY    = UInt(config.tileLog2Height bits)
   val area  = UInt(30 bits)
   val place = UInt(5 bits) // the power is 2^(30 - place)
 }
@@ -22,7 +24,7 @@ case class FetchValues() extends Bundle {
 /** A row of the table, as [[frustum.spec.FetchProgram]] encodes it. */
 case class FetchRow() extends Bundle {
   val target, origin   = UInt(SetupWords.CodeBits bits)
-  val field            = Bits(4 bits)
+  val fields           = Bits(Field.Skip.id bits)
   val word             = UInt(3 bits)
   val upper, take      = Bool()
   val lastOfWord, last = Bool()
@@ -41,18 +43,19 @@ case class SpareRows(rows: Int) extends Bundle with IMasterSlave {
 
 /** Writes words into the set-up engine's scratch memory: with `start`, a triangle's three vertices from the store, or,
   * with `program` at 48 or more, that program of [[frustum.spec.FetchProgram]]. A row a clock, and a store read for each
-  * store word. The last word is written two clocks after `idle` is back, before the engine can read it.
+  * store word. The last word is written three clocks after `idle` is back, before the engine can read it.
   *
   * @param planes that are wanted
   */
-case class SetupFetch(layout: StoreLayout, spareRows: Int, planes: Seq[Int] = SetupWords.AllPlanes) extends Component {
+case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = SetupWords.AllPlanes) extends Component {
+  val layout = StoreLayout(config)
   val io = new Bundle {
     val start    = in Bool ()
     val program  = in UInt (6 bits) // 0: vertices
     val idle     = out Bool ()
     val triangle = in UInt (10 bits)
     val bank     = in UInt (1 bits)
-    val values   = in(FetchValues())
+    val values   = in(FetchValues(config))
     val store    = master(StoreBus(layout))
     val read     = out UInt (SetupWords.CodeBits bits)
     val readData = in SInt (32 bits)
@@ -93,7 +96,7 @@ case class SetupFetch(layout: StoreLayout, spareRows: Int, planes: Seq[Int] = Se
   io.spare.data := read(9 downto 0).asUInt
   val action = FetchRow()
   action.assignFromBits(read)
-  def isField(kind: Field.Value) = action.field === kind.id
+  def isField(kind: Field.Value) = action.fields(kind.id)
 
   // Store reads: the vertices' indices, the three exponents, then word after word of each vertex. Indices and exponents
   // go round, the vertex at hand first.
@@ -116,38 +119,44 @@ case class SetupFetch(layout: StoreLayout, spareRows: Int, planes: Seq[Int] = Se
 
   val data = Reg(Bits(32 bits)) // a store word; the next field is always at its top
 
-  // Clock 1 of a row: the scratch memory is asked for the word to subtract; clock 2: the difference; clock 3: the write.
+  // Clock 1 of a row: the scratch memory is asked for the word to subtract; clock 2: the difference; clock 3: its place;
+  // clock 4: the write.
   val working = state === State.Write
   val values  = io.values
   io.read := action.origin
+  // A centre: of the tile's first column or line, or the last one, or the covered one.
+  def centre(tile: UInt, last: UInt, covered: UInt): UInt = {
+    val of    = action.word.asBits
+    val pixel = last.asBits & of(1) #* widthOf(last) | covered.asBits & of(2) #* widthOf(covered)
+    (tile @@ pixel.asUInt @@ U(8, 4 bits)).resize(14)
+  }
+  val column = centre(values.tileX, values.lastColumn, values.coveredX)
+  val line   = centre(values.tileY, values.lastRow, values.coveredY)
+  val top16  = data(31 downto 16)
   val minuend = RegNext(
-    action.field.muxListDc(
-      Seq(
-        Field.Scale    -> S(0, 32 bits),
-        Field.Power    -> S(0, 32 bits),
-        Field.Position -> data(31 downto 16).asSInt.resize(32),
-        Field.Z        -> (data(31 downto 16).asUInt.resize(32).asSInt |<< 15),
-        Field.Q        -> (data(31 downto 16).asUInt.resize(32).asSInt |<< 1),
-        Field.Color    -> (data(31 downto 24).asUInt.resize(32).asSInt |<< 7),
-        Field.Texture  -> (data(24 downto 0).asSInt.resize(32) |<< 6),
-        Field.Area     -> (values.area | (1 << 29) | 1).resize(32).asSInt
-      ).map { case (f, v) => f.id -> v } ++
-        // pixel centres
-        Seq(Field.Left -> values.left, Field.Right -> values.right, Field.Top -> values.top, Field.Bottom -> values.bottom,
-          Field.FirstX -> values.firstX, Field.FirstY -> values.firstY)
-          .map { case (f, v) => f.id -> (v @@ U(8, 4 bits)).resize(32).asSInt }
-    )
+    Seq[(Field.Value, BitVector)](
+      Field.Position -> top16.asSInt.resize(32),
+      Field.Z        -> (top16 << 15),
+      Field.Q        -> (top16 << 1),
+      Field.Color    -> (data(31 downto 24) << 7),
+      Field.Texture  -> (data(24 downto 0).asSInt << 6).resize(32),
+      Field.Area     -> (values.area | (1 << 29) | 1),
+      Field.Pixel    -> (action.word.lsb ? line | column)
+    ).map { case (f, v) => v.asBits.resize(32) & isField(f) #* 32 }.reduceBalancedTree(_ | _).asSInt
   )
-  val behind = RegNext(largest - exponents(0))
-  val place  = RegNext(isField(Field.Scale) ? behind | values.place)
-  val isPower = RegNext(working && (isField(Field.Scale) || isField(Field.Power))) init False
-  val raise   = RegNext(action.upper)
-  val difference = minuend - io.readData
-  // bit 30 - n for place n; bit 0 for place 31 too
-  val power = B((0 to 31).map(n => if (n == 31) False else if (n == 0) isPower && place >= 30 else isPower && place === 30 - n))
-  val writing = RegNext(working && !isField(Field.Skip)) init False
-  io.write.valid := RegNext(writing) init False
-  io.write.word := RegNext(RegNext(action.target))
+  val difference = RegNext(minuend - io.readData)
+  val raise      = Delay(action.upper, 2)
+  val behind  = RegNext(largest - exponents(0))
+  val place   = RegNext(RegNext(isField(Field.Scale)) ? behind | values.place)
+  val isPower = Delay(working && (isField(Field.Scale) || isField(Field.Power)), 2, init = False)
+  // Bit 30 - n for place n, and bit 0 for place 31 too, from lines for the upper and the lower bits of ~n.
+  val group = (~place)(4 downto 2)
+  val lines = B((0 to 7).map(isPower && group === _))
+  val four  = B((0 to 3).map((~place)(1 downto 0) === _))
+  val bits  = (0 to 31).map(n => lines(n / 4) && four(n % 4))
+  val power = B((bits(0) || bits(1)) +: bits.drop(2) :+ False)
+  io.write.valid := Delay(working && action.fields.orR, 3, init = False)
+  io.write.word := Delay(action.target, 3)
   io.write.data := RegNext((raise ? (difference |<< 16) | difference) | power.asSInt)
 
   switch(state) {

@@ -32,7 +32,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   val lookup = SlotLookup(config, slots)
   val engine = SetupEngine(slots, tech, config.fixed.planes)
   val walker = EdgeWalker(config)
-  val fetch  = SetupFetch(layout, slots, config.fixed.planes)
+  val fetch  = SetupFetch(config, slots, config.fixed.planes)
   val writer = CoefficientWriter(slots)
 
   lookup.io.flush := io.flush
@@ -105,15 +105,13 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   walker.io.lastColumn := lastColumn
   walker.io.lastRow := lastRow
 
-  def inTileX(x: UInt) = (job.tileX @@ x).resize(10)
-  def inTileY(y: UInt) = (job.tileY @@ y).resize(10)
   val values = fetch.io.values
-  values.left := inTileX(U(0, config.tileLog2Width bits))
-  values.right := inTileX(lastColumn)
-  values.top := inTileY(U(0, config.tileLog2Height bits))
-  values.bottom := inTileY(lastRow)
-  values.firstX := inTileX(firstX)
-  values.firstY := inTileY(firstY)
+  values.tileX := job.tileX
+  values.tileY := job.tileY
+  values.lastColumn := lastColumn
+  values.lastRow := lastRow
+  values.coveredX := firstX
+  values.coveredY := firstY
   values.area := area
   values.place := place
 
@@ -141,7 +139,14 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     state := next
   }
 
-  found.ready := False
+  val finished = RegInit(False) // the job in hand goes, a clock after it is done with
+  finished := False
+  found.ready := finished
+  def finish(): Unit = {
+    finished := True
+    state := State.Idle
+  }
+
   io.setUp := False
   io.moved := False
   walker.io.start := False
@@ -152,18 +157,15 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     is(State.Idle) {
       sliver := False
       place := 30
-      when(found.valid) { state := State.Begin }
+      when(found.valid && !finished) { state := State.Begin }
     }
     is(State.Begin) {
       when(job.tileEnd) {
         token.valid := True
-        when(token.ready) {
-          found.ready := True
-          state := State.Idle
-        }
+        when(token.ready) { finish() }
       } elsewhen (found.known) {
-        found.ready := isEmpty
-        state := isEmpty ? State.Idle | State.Corner
+        state := State.Corner
+        when(isEmpty) { finish() }
       } elsewhen (!tokens.io.slotUsed) {
         load(0, State.Area)
       }
@@ -172,10 +174,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     is(State.Facing) {
       state := State.Normalise
       empty(slot) := nothing
-      when(nothing) {
-        found.ready := True
-        state := State.Idle
-      }
+      when(nothing) { finish() }
     }
     is(State.Normalise) {
       when(area.msb || place === 30 - SetupWords.MaxShift) {
@@ -209,14 +208,12 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     is(State.Walk) {
       walker.io.start := !outside
       seen := False
-      found.ready := outside
-      state := outside ? State.Idle | State.Look
+      state := State.Look
+      when(outside) { finish() }
     }
     is(State.Look) {
       when(seen) { when(!tokens.io.full) { state := State.Pixel } } elsewhen (walker.io.up.valid && walker.io.up.end) {
-        // no span before the end mark
-        found.ready := True
-        state := State.Idle
+        finish() // no span before the end mark
       }
     }
     is(State.Pixel) { load(FetchProgram.Pixel, State.Rebase) }
@@ -225,9 +222,8 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
       token.valid := True
       when(token.ready) {
         parity := !parity
-        found.ready := True
         io.moved := True
-        state := State.Idle
+        finish()
       }
     }
   } }

@@ -7,13 +7,18 @@ import SetupWords._
   */
 object FetchProgram {
 
-  /** Where a row's data comes from. `Power` and `Scale` are powers of two, all others minuends, from which the word
-    * `origin` is subtracted.
+  /** Where a row's data comes from, a bit of the row each. `Scale` and `Power` are powers of two, all others minuends, from
+    * which the word `origin` is subtracted. `Pixel` is a place in the tile, see [[Column]].
     */
   object Field extends Enumeration {
-    val Skip, Position, Z, Q, Color, Texture, Scale, Power, Area, Left, Right, Top, Bottom, FirstX, FirstY =
-      Value
+    val Position, Z, Q, Color, Texture, Area, Pixel, Scale, Power = Value
+    /** Nothing is written. */
+    val Skip = Value
   }
+
+  // What a `Pixel` row has for its word: the tile's first or last column or line, or that of the first covered pixel.
+  val Column = 0; val Line = 1
+  val LastOf = 2; val CoveredOf = 4
 
   /** @param word   which of the vertex's store words holds the field; it stands at the word's top, except for
     *               texture coordinates
@@ -84,15 +89,18 @@ object FetchProgram {
   /** The walk's corners, relative to vertex 0. */
   val corner: Seq[Row] =
     Seq(
-      Row(Field.Left, Left, X0),
-      Row(Field.Right, Right, X0),
-      Row(Field.Top, Top, Y0),
-      Row(Field.Bottom, Bottom, Y0)
+      Row(Field.Pixel, Left, X0, Column),
+      Row(Field.Pixel, Right, X0, Column + LastOf),
+      Row(Field.Pixel, Top, Y0, Line),
+      Row(Field.Pixel, Bottom, Y0, Line + LastOf)
     )
 
   /** The first covered pixel, relative to vertex 0. */
   val pixel: Seq[Row] =
-    Seq(Row(Field.FirstX, PixelX_16, X0, upper = true), Row(Field.FirstY, PixelY_16, Y0, upper = true))
+    Seq(
+      Row(Field.Pixel, PixelX_16, X0, Column + CoveredOf, upper = true),
+      Row(Field.Pixel, PixelY_16, Y0, Line + CoveredOf, upper = true)
+    )
 
   /** The area normalised, and the shift that it took. */
   val normal: Seq[Row] = Seq(Row(Field.Area, AreaNormal), Row(Field.Power, Shift))
@@ -105,14 +113,17 @@ object FetchProgram {
   /** Rows from here on hold other things. */
   val Rows = 64
 
-  /** Bits of a row: last 1, last of its store word 1, take 1, upper 1, word 3, field 4, origin 7, target 7. */
-  val RowBits = 25
+  /** Bits of a row: last 1, last of its store word 1, take 1, upper 1, word 3, a bit for each field but `Skip`, origin 7,
+    * target 7.
+    */
+  val RowBits = 30
 
   private def encode(program: Seq[Row]): Seq[Int] = program.zipWithIndex.map { case (r, n) =>
     val next                     = program.lift(n + 1)
     def bit(b: Boolean, at: Int) = (if (b) 1 else 0) << at
-    bit(next.isEmpty, 24) | bit(next.forall(_.word != r.word), 23) | bit(r.take, 22) | bit(r.upper, 21) |
-      r.word << 18 | r.field.id << 14 | code(r.origin) << 7 | code(r.target)
+    val lastOfWord               = r.field != Field.Pixel && next.forall(_.word != r.word)
+    bit(next.isEmpty, 29) | bit(lastOfWord, 28) | bit(r.take, 27) | bit(r.upper, 26) | r.word << 23 |
+      bit(r.field != Field.Skip, 14 + r.field.id) | code(r.origin) << 7 | code(r.target)
   }
 
   def image(planes: Seq[Int]): Seq[Int] = {

@@ -6,7 +6,7 @@ import frustum.spec.RasterConfig
 import spinal.core._
 import spinal.lib._
 
-/** Nearest texel at a coordinate: wrap, address, fetch, decode; one a clock, latency 2 clocks.
+/** Nearest texel at a coordinate: wrap, address, fetch, decode; one a clock, latency 3 clocks.
   *
   * Texel memory has one port. A write that is offered stops the reading, and is done when the last texel that
   * was read has been taken, since a write spoils the memory's output; then writes go at one a clock. `state`
@@ -35,11 +35,13 @@ case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
     index
   }
   val indexed = wrapped.m2sPipe(collapsBubble = false)
-  val read = indexed.haltWhen(io.texels.valid)
+  val addressed =
+    indexed.translateWith(TexelAddress(indexed.s, indexed.t, columns, io.state)).m2sPipe(collapsBubble = false)
+  val read = addressed.haltWhen(io.texels.valid)
   val fetched = read.translateWith(NoData()).m2sPipe(collapsBubble = false)
 
   val memory = SinglePortRam(config.textureTexels, 16, tech)
-  val address = Mux(io.texels.valid, io.texels.address, TexelAddress(indexed.s, indexed.t, columns, io.state))
+  val address = Mux(io.texels.valid, io.texels.address, addressed.payload)
   memory.io.enable := Mux(io.texels.valid, io.texels.ready, fetched.ready)
   memory.io.write := io.texels.fire
   memory.io.address := address.resized
@@ -49,5 +51,5 @@ case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
 
   io.down << fetched.translateWith(Texel.decode(memory.io.readData, io.state.rgba4444))
   io.fetch := read.fire
-  io.busy := indexed.valid || fetched.valid
+  io.busy := indexed.valid || addressed.valid || fetched.valid
 }

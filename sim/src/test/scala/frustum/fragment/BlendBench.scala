@@ -1,5 +1,6 @@
 package frustum.fragment
 
+import frustum.blackbox.Tech
 import frustum.frame.TileSweep
 import frustum.raster.RenderStateWord
 import frustum.spec.RasterConfig
@@ -23,7 +24,7 @@ class BlendBench(config: RasterConfig) extends Component {
     val down       = master(Stream(Bits(16 bits)))
   }
   val words = config.tileWidth * config.tileHeight
-  val unit  = Blend(config)
+  val unit  = Blend(config, Tech.Generic)
   val sweep = TileSweep(config)
   unit.io.state := io.state
   unit.io.clear <> sweep.io.clear

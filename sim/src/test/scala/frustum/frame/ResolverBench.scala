@@ -45,8 +45,7 @@ class ResolverBench(config: RasterConfig) extends Component {
   memory.io.readEnable := False
   memory.io.readBank.assignDontCare()
   memory.io.readAddress.assignDontCare()
-  memory.io.writeEnable  := up.valid && !up.tileEnd
-  memory.io.writeBank    := bank
+  memory.io.writeEnable  := (up.valid && !up.tileEnd) #* 2 & UIntToOh(bank)
   memory.io.writeAddress := up.at
   memory.io.writeData    := up.color
   memory.io.clear <> unit.io.clear

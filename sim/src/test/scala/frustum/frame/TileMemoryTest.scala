@@ -22,7 +22,7 @@ class TileMemoryTest extends AnyFunSuite {
         var reads, resolves = 0
         val clear           = dut.io.clear
         dut.io.readEnable #= false
-        dut.io.writeEnable #= false
+        dut.io.writeEnable #= 0
         Seq(clear.active, clear.all, clear.read, clear.write, clear.done).foreach(_ #= false)
         dut.clockDomain.forkStimulus(10)
         dut.clockDomain.waitSampling()
@@ -53,8 +53,7 @@ class TileMemoryTest extends AnyFunSuite {
             dut.io.readEnable #= read
             dut.io.readBank #= (if (read) mine else r.nextInt(2))
             dut.io.readAddress #= at(0)
-            dut.io.writeEnable #= write
-            dut.io.writeBank #= mine
+            dut.io.writeEnable #= (if (write) 1 << mine else 0)
             dut.io.writeAddress #= at(1)
             dut.io.writeData #= data
             clear.read #= resolve

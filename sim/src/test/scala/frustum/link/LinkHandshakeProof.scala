@@ -5,6 +5,7 @@ import frustum.spec.RasterConfig
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core._
 import spinal.core.formal._
+import spinal.lib._
 
 class FramerClaims(drop: Boolean) extends Component {
   val unit = FormalDut(Framer(dropWhenFull = drop))
@@ -22,6 +23,13 @@ class CommandDecoderClaims extends Component {
   Claims.sink(unit.io.job)
   anyseq(unit.io.jobDone)
   assume(!unit.io.jobDone || unit.io.drawing)
+  // For induction: one state at a time, the store is asked in five of them, and for a vertex's word when it was checked.
+  import DecoderState._
+  val state  = unit.state.pull()
+  val asking = unit.asking.pull()
+  assert(CountOne(state.asBits) === 1)
+  assert(!asking || Seq(writeState, writeVertex, read, writeIndices, writeBox).map(state === _).orR)
+  assert(!asking || state =/= writeVertex || !unit.check.io.busy.pull())
 }
 
 /** What the link's units offer stays until it is taken, unchanged. */

@@ -1,7 +1,7 @@
 package frustum.raster
 
 import frustum.harness.{Claims, Formal, Prover}
-import frustum.spec.{RasterConfig, StoreLayout}
+import frustum.spec.RasterConfig
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core._
 import spinal.core.formal._
@@ -38,7 +38,7 @@ class InterpolatorClaims(config: RasterConfig) extends Component {
 }
 
 class SetupFetchClaims(config: RasterConfig) extends Component {
-  val unit = FormalDut(SetupFetch(StoreLayout(config), 3))
+  val unit = FormalDut(SetupFetch(config, 3))
   assumeInitial(clockDomain.isResetActive)
   Seq(
     unit.io.start,
