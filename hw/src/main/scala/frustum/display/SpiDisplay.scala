@@ -88,7 +88,7 @@ case class SpiDisplay(
       when(bytes.ready) {
         index := index + 1
         when(index === 0)(state := settling)
-        when(index === start.size - 1) { index := 0; state := high }
+        when(index === start.size - 1) { index := 0; state := pixel }
       }
     }
     is(window) {
@@ -100,22 +100,22 @@ case class SpiDisplay(
         when(index === columns.size + rows.size) { index := 0; windowed := True; state := high }
       }
     }
+    is(pixel)(when(io.pixels.valid)(state := Mux(needWindow, window(), high())))
     is(high) {
-      bytes.valid := io.pixels.valid && !needWindow
+      bytes.valid := True
       bytes.value := io.pixels.color(15 downto 8)
-      when(io.pixels.valid && needWindow)(state := window)
-      when(bytes.fire)(state := low)
+      when(bytes.ready)(state := low)
     }
     is(low) {
       bytes.valid     := True
       io.pixels.ready := bytes.ready
-      when(bytes.ready) { windowed := False; state := high }
+      when(bytes.ready) { windowed := False; state := pixel }
     }
   }
 }
 
 object DisplayState extends SpinalEnum {
-  val resetting, settling, starting, window, high, low = newElement()
+  val resetting, settling, starting, pixel, window, high, low = newElement()
 }
 
 object SpiDisplay {

@@ -9,7 +9,7 @@ import frustum.spec.{Panel, PongScene, RasterConfig}
 object IcebreakerTops {
 
   /** A frequency the PLL can make of 12 MHz, see [[frustum.blackbox.Ice40PllSettings]]. */
-  private val coreMHz = BigDecimal("27")
+  private val coreMHz = BigDecimal("36")
 
   /** What a host may clock the command port with. */
   private val hostMHz = BigDecimal(48)
