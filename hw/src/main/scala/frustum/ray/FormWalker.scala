@@ -16,10 +16,10 @@ case class FormWalker(form: RayForm, program: RayProgram) extends Component {
     val step  = in Bool ()
     val value = out SInt (form.width bits)
   }
-  private def at(i: Int)             = io.load.valid && io.load.index === form.first + i
-  private val word                   = io.load.data.asSInt.resize(form.width)
-  private def constant(i: Int)       = wrapped(start(i).getOrElse(BigInt(0)))
-  private def wrapped(v: BigInt)     = {
+  private def at(i: Int)         = io.load.valid && io.load.index === form.first + i
+  private val word               = io.load.data.asSInt.resize(form.width)
+  private def constant(i: Int)   = wrapped(start(i).getOrElse(BigInt(0)))
+  private def wrapped(v: BigInt) = {
     val modulo = v & ((BigInt(1) << form.width) - 1)
     S(if (modulo.testBit(form.width - 1)) modulo - (BigInt(1) << form.width) else modulo, form.width bits)
   }
@@ -27,12 +27,12 @@ case class FormWalker(form: RayForm, program: RayProgram) extends Component {
 
   /** A register that adds `by` when `moves`, and what it is after `clear` (and `again`). */
   private def sum(moves: Bool, by: SInt, first: SInt, again: Bool = False): SInt = {
-    val r = Reg(SInt(form.width bits))
-    when(moves)(r                       := r + by)
+    val r                  = Reg(SInt(form.width bits))
+    when(moves)(r                  := r + by)
     when(io.load.clear || again)(r := first)
     r
   }
-  private val zero = S(0, form.width bits)
+  private val zero                    = S(0, form.width bits)
   private def kept(moves: Bool): SInt = RegNextWhen(word, moves)
 
   io.value := ((registers, loaded) match {

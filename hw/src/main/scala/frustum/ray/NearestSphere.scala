@@ -19,14 +19,14 @@ class NearestSphere(
     shade: Option[SphereShade],
     anyRay: Boolean
 ) extends Area {
-  val HIT   = Payload(Bool())
-  val INDEX = Payload(UInt(4 bits))
+  val HIT               = Payload(Bool())
+  val INDEX             = Payload(UInt(4 bits))
   private val last      = line.nodes.last
   private val indexBits = log2Up(scene.spheres.size)
 
   /** The one whose centre is nearest along the ray. */
   private val candidates = scene.spheres.indices.map { i =>
-    val along  = walkers(s"along$i")
+    val along = walkers(s"along$i")
     // Where it is 0 the discriminant is negative, unless the ray has no length.
     val before = if (anyRay) along > 0 else !along.msb
     (!walkers.negative(s"sphere$i") && before, along, U(i, 4 bits))

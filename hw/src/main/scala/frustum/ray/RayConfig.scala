@@ -9,7 +9,9 @@ case class RayConfig(scene: RayScene, mode: VideoMode) {
   /** The smallest set-up that is ready in time; if none is, the fastest, which is then refused with its figures. */
   val setup: RaySetupTiming = {
     val all = RaySetupTiming.Digits.map(RaySetupTiming(program, _))
-    all.find(t => t.frameClocks <= frameLimit && t.lineClocks + t.rowClocks <= mode.hTotal - RayConfig.Latency)
+    all.find(t =>
+      t.frameClocks <= frameLimit && t.lineClocks + t.rowClocks <= mode.hTotal - RayConfig.Latency
+    )
       .getOrElse(all.last)
   }
 

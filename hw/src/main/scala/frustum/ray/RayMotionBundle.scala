@@ -7,7 +7,8 @@ import spinal.core._
 case class RayMotionBundle(scene: RayScene) extends Bundle {
   val spheres = Vec.fill(scene.spheres.size)(RayPoint())
   val quads   = Vec.fill(scene.quads.size)(RayPoint())
-  val camera  = !scene.camera.fixed generate Vec.fill(RayCameraRange.Vectors.size)(RayPoint()) // in the order of these
+  val camera  =
+    !scene.camera.fixed generate Vec.fill(RayCameraRange.Vectors.size)(RayPoint()) // in the order of these
 
   private def point(of: RayMoving): RayPoint = of match {
     case RayMoving.Sphere(n) => spheres(n)

@@ -44,7 +44,7 @@ case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Com
   )
   require(latency < mode.width, s"latency $latency in rows of ${mode.width}")
 
-  setup.io.latch := io.latch
+  setup.io.latch                                          := io.latch
   for ((to, i) <- setup.io.inputs.zip(program.inputs)) to := io.motion(i)
 
   val line = new LockstepPipeline(latency)
@@ -71,7 +71,7 @@ case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Com
   val cells   = new SurfaceCells(scene, walkers, line, walls, wallStart)
   val spheres = scene.spheres.nonEmpty generate
     new NearestSphere(scene, walkers, line, shadeStart, shade, config.anyRay)
-  val paint   = new SurfacePaint(scene, line, walls, cells)
+  val paint = new SurfacePaint(scene, line, walls, cells)
 
   /** Sphere before wall or quad before background. */
   private val last    = line.nodes.last

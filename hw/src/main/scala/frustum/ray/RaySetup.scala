@@ -30,24 +30,33 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
 
   private def digit(v: BigInt, d: Int) = v >> (d * digitBits) & ((BigInt(1) << digitBits) - 1)
   val columns                          = Seq.tabulate(digits) { d =>
-    Mem(Bits(digitBits bits), size).initBigInt((0 until size).map(a => digit(constants.getOrElse(a, BigInt(0)), d)))
+    Mem(
+      Bits(digitBits bits),
+      size
+    ).initBigInt((0 until size).map(a => digit(constants.getOrElse(a, BigInt(0)), d)))
   }
   private def encoded(s: RayStep): BigInt =
-    Seq(s.op -> 2, (multiplierBits(s) - 1) -> bitBits, s.to -> addressBits, s.a -> addressBits, s.b -> addressBits)
+    Seq(
+      s.op                    -> 2,
+      (multiplierBits(s) - 1) -> bitBits,
+      s.to                    -> addressBits,
+      s.a                     -> addressBits,
+      s.b                     -> addressBits
+    )
       .foldLeft(BigInt(0)) { case (word, (v, bits)) => word << bits | v }
-  val steprom                     = Mem(Bits(2 + bitBits + 3 * addressBits bits), steps.size).initBigInt(steps.map(encoded))
-  val pc, end                     = Reg(UInt(log2Up(steps.size + 1) bits))
-  val instruction                 = steprom.readSync(pc.resize(log2Up(steps.size)))
+  val steprom     = Mem(Bits(2 + bitBits + 3 * addressBits bits), steps.size).initBigInt(steps.map(encoded))
+  val pc, end     = Reg(UInt(log2Up(steps.size + 1) bits))
+  val instruction = steprom.readSync(pc.resize(log2Up(steps.size)))
   private def address(place: Int) = instruction(place * addressBits, addressBits bits).asUInt
   private val (b, a, to)          = (address(0), address(1), address(2))
   private val topBit              = instruction(3 * addressBits, bitBits bits).asUInt
   private val op                  = instruction(3 * addressBits + bitBits, 2 bits).asUInt
   private val multiplying         = op === RayStep.Multiply
 
-  val count                        = Reg(UInt(log2Up(loadWords.max(inputs.size).max(2)) bits))
-  val place                        = Reg(UInt(bitBits - digitLog bits)) // of the digit
-  val bitPlace                     = Reg(UInt(bitBits bits))
-  private val lastPlace            = if (digits == 1) True else place === digits - 1
+  val count                             = Reg(UInt(log2Up(loadWords.max(inputs.size).max(2)) bits))
+  val place                             = Reg(UInt(bitBits - digitLog bits)) // of the digit
+  val bitPlace                          = Reg(UInt(bitBits bits))
+  private val lastPlace                 = if (digits == 1) True else place === digits - 1
   private def digitOf(word: Bits): Bits = {
     val all = Vec.tabulate(digits)(d => word(d * digitBits, digitBits bits))
     if (digits == 1) all.head else all.read(place.resize(log2Up(digits)))
@@ -65,8 +74,9 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
     val subtract  = Mux(multiplying, top, op === RayStep.Subtract)
     val doubled   = Mux(multiplying, (first ## shiftedIn).asUInt.resize(digitBits), first)
     val gate      = !multiplying || bit
-    val second    = (digitOf(read).asUInt & U(digitBits bits, default -> gate)) ^ U(digitBits bits, default -> subtract)
-    val sum       = (doubled +^ second) + carry.asUInt
+    val second    =
+      (digitOf(read).asUInt & U(digitBits bits, default -> gate)) ^ U(digitBits bits, default -> subtract)
+    val sum = (doubled +^ second) + carry.asUInt
   }
   val writing      = False
   val writeAddress = CombInit(to)
@@ -81,7 +91,7 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
   io.load.data  := read.resized
 
   val fsm = new StateMachine {
-    val idle                                        = makeInstantEntry()
+    val idle                                         = makeInstantEntry()
     val take, fetch, start, bit, first, second, load = new State
     take.whenIsActive {
       if (inputs.nonEmpty) {

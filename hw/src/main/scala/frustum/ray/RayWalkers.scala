@@ -9,7 +9,8 @@ import spinal.lib.misc.pipeline._
   *
   * @param node number of the pipeline's node at which a form is looked at
   */
-class RayWalkers(program: RayProgram, load: RayRowLoad, line: LockstepPipeline, node: String => Int) extends Area {
+class RayWalkers(program: RayProgram, load: RayRowLoad, line: LockstepPipeline, node: String => Int)
+    extends Area {
   private val values = program.forms.map { f =>
     val w = FormWalker(f, program).setName("walk_" + f.name)
     w.io.load := load
@@ -17,8 +18,8 @@ class RayWalkers(program: RayProgram, load: RayRowLoad, line: LockstepPipeline, 
     f.name    -> w.io.value
   }.toMap
 
-  def apply(form: String): SInt  = values(form)
-  def width(form: String): Int   = values(form).getWidth
+  def apply(form: String): SInt    = values(form)
+  def width(form: String): Int     = values(form).getWidth
   def negative(form: String): Bool = values(form).msb
 
   /** Something of a form as it is when looked at, for later nodes; along a row that it is constant on it needs no registers. */

@@ -6,7 +6,8 @@ import spinal.core._
 import spinal.lib.misc.pipeline._
 
 /** Whether a sphere keeps the light from the wall that is hit: `SHADOW`, a node after `start`. */
-class ShadowTest(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline, walls: WallTest, start: Int) extends Area {
+class ShadowTest(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline, walls: WallTest, start: Int)
+    extends Area {
   val SHADOW        = Payload(Bool())
   private val CONES = Payload(Bits(Wall.all.size bits))
 
@@ -14,7 +15,7 @@ class ShadowTest(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline, w
   private def gate(form: String) = if (scene.lightIsFree) !walkers.negative(form) else walkers(form) > 0
 
   private val cones = for (_ <- scene.light.toSeq; i <- scene.spheres.indices) yield {
-    val cone     = Wall.all.map(w => gate(s"gate${i}_${w.index}") && !walkers.negative(s"shadow${i}_${w.index}"))
+    val cone = Wall.all.map(w => gate(s"gate${i}_${w.index}") && !walkers.negative(s"shadow${i}_${w.index}"))
     val enclosed = walkers(s"power$i") <= 0
     Vec(cone).asBits | B(Wall.all.size bits, default -> enclosed)
   }

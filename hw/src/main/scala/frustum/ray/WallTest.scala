@@ -10,12 +10,12 @@ import spinal.lib.misc.pipeline._
   * `WALL`, and `SURFACE`, which has the back wall where no quad lies, then the quads (both one hot), and the wall's `N`.
   */
 class WallTest(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline, start: Int) extends Area {
-  val WALL    = Payload(Bits(Wall.all.size bits))
-  val SURFACE = Payload(Bits(Wall.all.size + scene.quads.size bits))
-  val widthN  = Wall.all.map(w => walkers.width(s"direction${w.axis}")).max
-  val N       = Payload(UInt(widthN bits))
-  private val HITS  = Payload(Bits(Wall.all.size bits))
-  private val SIDES = Payload(Bits(scene.quads.size bits))
+  val WALL                   = Payload(Bits(Wall.all.size bits))
+  val SURFACE                = Payload(Bits(Wall.all.size + scene.quads.size bits))
+  val widthN                 = Wall.all.map(w => walkers.width(s"direction${w.axis}")).max
+  val N                      = Payload(UInt(widthN bits))
+  private val HITS           = Payload(Bits(Wall.all.size bits))
+  private val SIDES          = Payload(Bits(scene.quads.size bits))
   private val (test, select) = (line(start), line(start + 1))
 
   /** Of walls that meet in an edge, whether the ray meets p no later than q: k_q n_p >= k_p n_q, which is also the

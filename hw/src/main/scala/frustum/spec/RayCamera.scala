@@ -66,7 +66,9 @@ case class RayCameraRange(low: RayCamera, high: RayCamera, lengths: Option[(Int,
       val long    = corners.find(d => d.dot(d) > most.toLong * most)
       def short   = (for (v <- 0 until height; h <- 0 until width) yield c.direction(h, v))
         .find(d => d.dot(d) < least.toLong * least)
-      long.orElse(short).map(d => s"camera's ray $d is ${scala.math.sqrt(d.dot(d).toDouble).round} long, accepted $least to $most")
+      long.orElse(short).map(d =>
+        s"camera's ray $d is ${scala.math.sqrt(d.dot(d).toDouble).round} long, accepted $least to $most"
+      )
     })
   }
 

@@ -13,14 +13,17 @@ sealed trait RayPaint {
 
 /** One colour, 24-bit RGB. */
 case class RaySolid(color: Int) extends RayPaint {
-  def cellBits: Int       = 0
+  def cellBits: Int         = 0
   val (columnBits, rowBits) = (0, 0)
 }
 
 /** On walls alone: red, green, blue where the number of the cell along x, y, z above the room's low corner is odd. */
 case class RayChecker(cellBits: Int) extends RayPaint {
   val (columnBits, rowBits) = (1, 1)
-  require(cellBits >= 0 && cellBits <= RayPaint.MaxCellBits, s"checker cells of 2^$cellBits units, at most 2^${RayPaint.MaxCellBits}")
+  require(
+    cellBits >= 0 && cellBits <= RayPaint.MaxCellBits,
+    s"checker cells of 2^$cellBits units, at most 2^${RayPaint.MaxCellBits}"
+  )
 }
 
 /** Nearest texel of an image that repeats: its bottom left corner lies in the surface's low corner.
@@ -33,7 +36,10 @@ case class RayImage(width: Int, height: Int, cellBits: Int, rgb: IndexedSeq[Int]
       n >= 1 && n <= RayPaint.MaxSide && Integer.bitCount(n) == 1,
       s"image of $width x $height texels: each side must be a power of two up to ${RayPaint.MaxSide}"
     )
-  require(cellBits >= 0 && cellBits <= RayPaint.MaxCellBits, s"texels of 2^$cellBits units, at most 2^${RayPaint.MaxCellBits}")
+  require(
+    cellBits >= 0 && cellBits <= RayPaint.MaxCellBits,
+    s"texels of 2^$cellBits units, at most 2^${RayPaint.MaxCellBits}"
+  )
   require(rgb.size == width * height, s"${rgb.size} texels for $width x $height")
   val columnBits: Int = Integer.numberOfTrailingZeros(width)
   val rowBits: Int    = Integer.numberOfTrailingZeros(height)

@@ -18,7 +18,9 @@ class RayAlgebra(b: RayProgramBuilder, width: Int, height: Int) {
 
   private def polynomial(c: Seq[RayWord], bound: Option[Interval]) = {
     val spread =
-      c.map(_.range).zip(Seq(Interval(1), h, v, h.square, h * v, v.square)).map { case (x, y) => x * y }.reduce(_ + _)
+      c.map(_.range).zip(Seq(Interval(1), h, v, h.square, h * v, v.square)).map { case (x, y) =>
+        x * y
+      }.reduce(_ + _)
     RayPolynomial(c, bound.fold(spread)(_.within(spread)))
   }
   private def padded(c: Seq[RayWord]) = c.padTo(6, b.constant(0))
@@ -48,7 +50,14 @@ class RayAlgebra(b: RayProgramBuilder, width: Int, height: Int) {
     val Seq(d, s, t)                                          = parts(q)
     def cross(a: RayWord, e: RayWord, f: RayWord, g: RayWord) = b.add(b.multiply(a, e), b.multiply(f, g))
     polynomial(
-      Seq(b.multiply(c, d), cross(c, s, x, d), cross(c, t, y, d), b.multiply(x, s), cross(x, t, y, s), b.multiply(y, t)),
+      Seq(
+        b.multiply(c, d),
+        cross(c, s, x, d),
+        cross(c, t, y, d),
+        b.multiply(x, s),
+        cross(x, t, y, s),
+        b.multiply(y, t)
+      ),
       Some(p.bound * q.bound)
     )
   }

@@ -50,12 +50,13 @@ object RayProgram {
     val rows = Interval(0, height)
     // A row's start: word, what is added a row later, and what is added to that.
     final case class State(start: RayWord, slope: RayWord, curve: RayWord) {
-      val constant: Option[BigInt] = start.constant.filter(_ => Seq(slope, curve).forall(_.constant.contains(BigInt(0))))
-      lazy val word                = new RayWord(start.range + slope.range * rows + curve.range * rows.square, None)
+      val constant: Option[BigInt] =
+        start.constant.filter(_ => Seq(slope, curve).forall(_.constant.contains(BigInt(0))))
+      lazy val word = new RayWord(start.range + slope.range * rows + curve.range * rows.square, None)
     }
-    val zero   = b.constant(0)
+    val zero            = b.constant(0)
     def is0(w: RayWord) = w.constant.contains(BigInt(0))
-    val states = wanted.map { case (_, p, _) =>
+    val states          = wanted.map { case (_, p, _) =>
       val Seq(c, x, y, xx, xy, yy) = p.c
       val value                    = State(c, b.add(y, yy), b.add(yy, yy))
       val step                     = State(b.add(x, xx), xy, zero)

@@ -48,8 +48,8 @@ class RaySceneForms(scene: RayScene, width: Int, height: Int) {
   private val longest   = camera.lengths.map(_._2)
   private val direction =
     (0 to 2).map(a => linear(corner(a), right(a), down(a), longest.map(l => Interval(-l, l))))
-  private def point(p: IntVector)                  = p.axes.map(x => b.constant(x))
-  private def minus(p: Seq[RayWord], q: Seq[RayWord]) = p.zip(q).map { case (x, y) => b.subtract(x, y) }
+  private def point(p: IntVector)                        = p.axes.map(x => b.constant(x))
+  private def minus(p: Seq[RayWord], q: Seq[RayWord])    = p.zip(q).map { case (x, y) => b.subtract(x, y) }
   private def dotWords(p: Seq[RayWord], q: Seq[RayWord]) =
     p.zip(q).map { case (x, y) => b.multiply(x, y) }.reduce(b.add)
 
@@ -96,9 +96,9 @@ class RaySceneForms(scene: RayScene, width: Int, height: Int) {
   private def wantShade(i: Int, centre: Seq[RayWord], along: RayPolynomial, away: Seq[RayWord]): Unit = {
     def within(m: BigInt) = Interval(-m, m)
     val r                 = BigInt(scene.spheres(i).radius)
-    val far                  = away.map(_.range.square).reduce(_ + _).high
-    val towards              = dot(direction, away)
-    val across               = dotWords(minus(centre, eye), away)
+    val far               = away.map(_.range.square).reduce(_ + _).high
+    val towards           = dot(direction, away)
+    val across            = dotWords(minus(centre, eye), away)
     wantWithin(s"towards$i", towards, within(upTo(squareMost * far)))
     wantWithin(
       s"lit$i",
@@ -135,7 +135,7 @@ class RaySceneForms(scene: RayScene, width: Int, height: Int) {
       val s = minus(centre, point(light))
       if (scene.shaded) wantShade(i, centre, along, minus(point(light), centre))
       for (w <- Wall.all) {
-        val v         = (0 to 2).map { a =>
+        val v = (0 to 2).map { a =>
           add(scale(normal(w), b.subtract(eye(a), b.constant(light(a)))), scale(direction(a), distance(w)))
         }
         val (gate, c) = discriminant(s"shadow${i}_${w.index}", v, shadowMost(v, w, light), s, radius)

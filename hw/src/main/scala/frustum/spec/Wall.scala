@@ -22,5 +22,6 @@ object Wall {
   val back: Wall     = all.last
 
   /** Walls that meet in an edge, the one that is taken there first. */
-  def pairs: Seq[(Wall, Wall)] = for (p <- all; q <- all if p.index < q.index && p.axis != q.axis) yield (p, q)
+  def pairs: Seq[(Wall, Wall)] =
+    for (p <- all; q <- all if p.index < q.index && p.axis != q.axis) yield (p, q)
 }

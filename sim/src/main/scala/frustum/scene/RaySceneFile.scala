@@ -33,45 +33,8 @@ object RaySceneFile {
   /** Names of the walls, in the order of [[Wall.all]]. */
   private val Walls = Seq("left", "right", "floor", "ceiling", "back")
 
-  private class Reader(file: Path, base: RayScene) {
+  private class Reader(file: Path, base: RayScene) extends JsonFields(file) {
     import RayCameraRange.Vectors
-    private def refuse(path: String, what: String): Nothing = throw InputError(s"$file: $path: $what")
-
-    private def fields(v: ujson.Value, path: String, known: String*): collection.Map[String, ujson.Value] =
-      v match {
-        case o: ujson.Obj =>
-          o.value.keys.find(!known.contains(_)).foreach(k =>
-            refuse(path, s"there is no key '$k'; known are ${known.mkString(", ")}")
-          )
-          o.value
-        case _ => refuse(path, s"is no object; write {${known.map("\"" + _ + "\": ...").mkString(", ")}}")
-      }
-    private def list(v: ujson.Value, path: String): Seq[ujson.Value] = v match {
-      case a: ujson.Arr => a.value.toSeq
-      case _            => refuse(path, "is no list; write [...]")
-    }
-    private def whole(v: ujson.Value, path: String): Int = v match {
-      case ujson.Num(n) if n == n.toInt && n.abs < 1e6 => n.toInt
-      case other => refuse(path, s"${ujson.write(other)} is not a whole number of at most 6 digits")
-    }
-    private def vector(v: ujson.Value, path: String): IntVector = list(v, path) match {
-      case Seq(x, y, z) => IntVector(whole(x, path), whole(y, path), whole(z, path))
-      case other        => refuse(path, s"has ${other.size} numbers; write [x, y, z]")
-    }
-    private def color(v: ujson.Value, path: String): Int = v match {
-      case ujson.Str(s) if s.matches("[0-9a-fA-F]{6}") => Integer.parseInt(s, 16)
-      case other                                       =>
-        refuse(path, s"${ujson.write(other)} is no colour; write six hexadecimal digits, \"ff8000\"")
-    }
-
-    /** The vector or number of a key that must be there. */
-    private def need[A](
-        o: collection.Map[String, ujson.Value],
-        path: String,
-        key: String
-    )(read: (ujson.Value, String) => A): A =
-      read(o.getOrElse(key, refuse(path, s"the key '$key' is missing")), s"$path.$key")
-
     private def range(o: collection.Map[String, ujson.Value], path: String): (IntVector, IntVector) =
       if (o.contains("centre")) {
         val c = need(o, path, "centre")(vector)
@@ -86,7 +49,9 @@ object RaySceneFile {
         list(o("lengths"), "camera.lengths").map(whole(_, "camera.lengths")) match {
           case Seq(least, most) =>
             val Seq(low, high) =
-              Seq("low", "high").map(k => need(o, "camera", k)((c, path) => vectors(fields(c, path, Vectors: _*), path)))
+              Seq("low", "high").map(k =>
+                need(o, "camera", k)((c, path) => vectors(fields(c, path, Vectors: _*), path))
+              )
             RayCameraRange(low, high, Some((least, most)))
           case other => refuse("camera.lengths", s"has ${other.size} numbers; write [least, greatest]")
         }
@@ -106,13 +71,14 @@ object RaySceneFile {
     }
 
     private def room(v: ujson.Value): RayRoom = {
-      val o     = fields(v, "room", "low", "high", "cellBits", "walls")
-      val all   = RayRoom(
+      val o   = fields(v, "room", "low", "high", "cellBits", "walls")
+      val all = RayRoom(
         need(o, "room", "low")(vector),
         need(o, "room", "high")(vector),
         need(o, "room", "cellBits")(whole)
       )
-      val walls = o.get("walls").fold(collection.Map[String, ujson.Value]())(fields(_, "room.walls", Walls: _*))
+      val walls =
+        o.get("walls").fold(collection.Map[String, ujson.Value]())(fields(_, "room.walls", Walls: _*))
       all.copy(paints = all.paints.zip(Walls).map { case (checker, name) =>
         walls.get(name).fold(checker)(paint(_, s"room.walls.$name"))
       })
@@ -125,12 +91,13 @@ object RaySceneFile {
 
     /** What a wall or a quad may have. */
     private def surface(o: collection.Map[String, ujson.Value], path: String): RayPaint = {
-      if (o.contains("image") && o.contains("color")) refuse(path, "has an image and a colour; give one of them")
+      if (o.contains("image") && o.contains("color"))
+        refuse(path, "has an image and a colour; give one of them")
       if (o.contains("image")) image(o, path) else RaySolid(need(o, path, "color")(color))
     }
 
     private def image(o: collection.Map[String, ujson.Value], path: String): RayImage = {
-      val name    = need(o, path, "image") {
+      val name = need(o, path, "image") {
         case (ujson.Str(s), _) => s
         case (other, at)       => refuse(at, s"${ujson.write(other)} is no name of a file")
       }

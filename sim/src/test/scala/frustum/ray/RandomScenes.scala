@@ -18,28 +18,32 @@ object RandomScenes {
 
   /** Pong with a camera that goes where it likes before the room or, its puck staying at the back, in it, and turns as it likes. */
   def moving(width: Int, height: Int, pixel: Int, inside: Boolean): RayScene = {
-    val pong         = PongScene.room(width, height, pixel)
-    def all(n: Int)  = (IntVector(-n, -n, -n), IntVector(n, n, n))
-    val (eye, far)   =
-      if (inside) (IntVector(-100, -100, 50), IntVector(100, 100, 300)) else (IntVector(-100, -100, -320), IntVector(100, 100, -100))
-    val (low, high)  = all(2 * pixel)
-    val long         = scala.math.ceil(1.05 * scala.math.sqrt(pong.camera.squares(width + 1, height + 1)._2.toDouble)).toInt
+    val pong        = PongScene.room(width, height, pixel)
+    def all(n: Int) = (IntVector(-n, -n, -n), IntVector(n, n, n))
+    val (eye, far)  =
+      if (inside) (IntVector(-100, -100, 50), IntVector(100, 100, 300))
+      else (IntVector(-100, -100, -320), IntVector(100, 100, -100))
+    val (low, high) = all(2 * pixel)
+    val long        =
+      scala.math.ceil(1.05 * scala.math.sqrt(pong.camera.squares(width + 1, height + 1)._2.toDouble)).toInt
     val (near, wide) = all(long)
     val puck         = pong.spheres.head
     pong.copy(
-      camera = RayCameraRange(RayCamera(eye, near, low, low), RayCamera(far, wide, high, high), Some((550, long))),
+      camera =
+        RayCameraRange(RayCamera(eye, near, low, low), RayCamera(far, wide, high, high), Some((550, long))),
       spheres = Seq(if (inside) puck.copy(low = puck.low.copy(z = 400)) else puck)
     )
   }
 
   /** A camera that `moving` accepts, by yaw, pitch and roll, its vectors rounded. */
   def camera(scene: RayScene, r: Random, width: Int, height: Int, pixel: Int): RayCamera = {
-    val eye                          = within(r, scene.eye.low, scene.eye.high)
-    val angles                       = Seq.fill(3)(r.nextDouble() * 2 * scala.math.Pi)
-    def turn(v: Seq[Double])         = angles.zip(Seq((0, 2), (1, 2), (0, 1))).foldLeft(v) { case (u, (angle, (i, j))) =>
-      val (c, s) = (scala.math.cos(angle), scala.math.sin(angle))
-      u.updated(i, c * u(i) - s * u(j)).updated(j, s * u(i) + c * u(j))
-    }
+    val eye                  = within(r, scene.eye.low, scene.eye.high)
+    val angles               = Seq.fill(3)(r.nextDouble() * 2 * scala.math.Pi)
+    def turn(v: Seq[Double]) =
+      angles.zip(Seq((0, 2), (1, 2), (0, 1))).foldLeft(v) { case (u, (angle, (i, j))) =>
+        val (c, s) = (scala.math.cos(angle), scala.math.sin(angle))
+        u.updated(i, c * u(i) - s * u(j)).updated(j, s * u(i) + c * u(j))
+      }
     def vector(x: Int, y: Int, z: Int) = {
       val Seq(a, b, c) = turn(Seq(x.toDouble, y.toDouble, z.toDouble)).map(scala.math.round(_).toInt)
       IntVector(a, b, c)

@@ -65,7 +65,12 @@ class RayModelTest extends AnyFunSuite {
   }
 
   test("walls end at the room's front: beyond it nothing is hit") {
-    val back  = RayCamera(IntVector(0, 0, 320), IntVector(39 * 16, 29 * 16, -640), IntVector(-32, 0, 0), IntVector(0, -32, 0))
+    val back = RayCamera(
+      IntVector(0, 0, 320),
+      IntVector(39 * 16, 29 * 16, -640),
+      IntVector(-32, 0, 0),
+      IntVector(0, -32, 0)
+    )
     val scene = pong.copy(camera = RayCameraRange(back), spheres = Nil)
     val seen  = new RayPicture(scene, width, height)(RayMotion(Nil, Seq(IntVector(0, 0, 640))))
     // The front, 640 x 480 at a distance of 320, fills the picture.
@@ -94,27 +99,35 @@ class RayModelTest extends AnyFunSuite {
     for (s <- scenes) judge(s, Seq(RandomScenes.motion(s, random))).foreach(exact)
   }
 
-  for (inside <- Seq(false, true)) test(s"a camera that moves and turns, ${if (inside) "in" else "before"} the room, 150 frames (seed 3)") {
-    val random  = new Random(3)
-    val scene   = RandomScenes.moving(width, height, 16, inside)
-    val motions = Seq.fill(150)(
-      RandomScenes.motion(scene, random).copy(camera = Some(RandomScenes.camera(scene, random, width, height, 16)))
-    )
-    val counts = judge(scene, motions)
-    counts.foreach(exact)
-    assert(counts.map(_.maxColourError).max <= 2, counts.maxBy(_.maxColourError))
-  }
+  for (inside <- Seq(false, true))
+    test(s"a camera that moves and turns, ${if (inside) "in" else "before"} the room, 150 frames (seed 3)") {
+      val random  = new Random(3)
+      val scene   = RandomScenes.moving(width, height, 16, inside)
+      val motions = Seq.fill(150)(
+        RandomScenes.motion(scene, random).copy(camera =
+          Some(RandomScenes.camera(scene, random, width, height, 16))
+        )
+      )
+      val counts = judge(scene, motions)
+      counts.foreach(exact)
+      assert(counts.map(_.maxColourError).max <= 2, counts.maxBy(_.maxColourError))
+    }
 
   test("a camera beyond what is declared is refused with the numbers; so is one that moves without lengths") {
-    val scene            = RandomScenes.moving(width, height, 16, inside = false)
-    val camera           = RandomScenes.camera(scene, new Random(4), width, height, 16)
-    val still            = PongScene.room(width, height, 16).camera.low
+    val scene                         = RandomScenes.moving(width, height, 16, inside = false)
+    val camera                        = RandomScenes.camera(scene, new Random(4), width, height, 16)
+    val still                         = PongScene.room(width, height, 16).camera.low
     def refused(c: Option[RayCamera]) =
-      intercept[IllegalArgumentException](new RayPicture(scene, width, height)(at(0, 0, 320).copy(camera = c))).getMessage
-    assert(refused(Some(camera.copy(eye = IntVector(0, 101, -200)))).contains("eye (0, 101, -200), accepted (-100, -100, -320)"))
+      intercept[IllegalArgumentException](new RayPicture(scene, width, height)(at(0, 0, 320).copy(camera =
+        c
+      ))).getMessage
+    assert(refused(Some(camera.copy(eye =
+      IntVector(0, 101, -200)
+    ))).contains("eye (0, 101, -200), accepted (-100, -100, -320)"))
     assert(refused(Some(camera.copy(corner = IntVector(1, 2, 3)))).contains("accepted 550 to"))
     assert(refused(None).contains("needs one"))
-    val e = intercept[IllegalArgumentException](RayCameraRange(still, still.copy(eye = IntVector(9, 9, 9)), None))
+    val e =
+      intercept[IllegalArgumentException](RayCameraRange(still, still.copy(eye = IntVector(9, 9, 9)), None))
     assert(e.getMessage.contains("length"))
   }
 
@@ -134,7 +147,7 @@ class RayModelTest extends AnyFunSuite {
       spheres = Nil,
       quads = Nil
     )
-    val seen         = new RayPicture(scene, width, height)(RayMotion(Nil, Nil))
+    val seen                = new RayPicture(scene, width, height)(RayMotion(Nil, Nil))
     def rgb(x: Int, y: Int) = seen(y * width + x).rgb
     assert(Seq(rgb(18, 13), rgb(21, 13), rgb(18, 16), rgb(21, 16)) == image.rgb) // the back wall
     assert(rgb(0, 14) == 0xff0000 && rgb(0, 15) == 0x0000ff)                     // the left wall, nearer half

@@ -105,14 +105,24 @@ class RayPipelineTest extends AnyFunSuite {
   }
   test("a camera that moves and turns") {
     val scene = RandomScenes.moving(mode.width, mode.height, 3, inside = true)
-    compare("moving", scene, 4, 9, camera = r => Some(RandomScenes.camera(scene, r, mode.width, mode.height, 3)))
+    compare(
+      "moving",
+      scene,
+      4,
+      9,
+      camera = r => Some(RandomScenes.camera(scene, r, mode.width, mode.height, 3))
+    )
   }
   test("images on walls and quads, solid walls") {
-    val random         = new Random(10)
-    def image(w: Int, h: Int, bits: Int) = RayImage(w, h, bits, IndexedSeq.fill(w * h)(random.nextInt(1 << 24)))
+    val random                           = new Random(10)
+    def image(w: Int, h: Int, bits: Int) =
+      RayImage(w, h, bits, IndexedSeq.fill(w * h)(random.nextInt(1 << 24)))
     val (small, shared) = (image(8, 4, 3), image(16, 16, 5))
     val paints          = Seq(shared, RaySolid(0x8040c0), shared, RayChecker(4), small)
-    val scene           = pong.copy(room = pong.room.copy(paints = paints), quads = pong.quads.map(_.copy(paint = image(32, 32, 2))))
+    val scene           = pong.copy(
+      room = pong.room.copy(paints = paints),
+      quads = pong.quads.map(_.copy(paint = image(32, 32, 2)))
+    )
     compare("images", scene, 3, 10)
   }
   test("no sphere")(compare("noSphere", pong.copy(spheres = Nil), 2, 2))

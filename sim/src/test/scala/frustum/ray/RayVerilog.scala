@@ -7,7 +7,8 @@ import frustum.spec.{PongScene, VideoMode}
   * a camera that moves.
   */
 object RayVerilog extends App {
-  private val scene  = if (args.contains("moving")) RandomScenes.moving(640, 480, 1, inside = false) else PongScene.room()
+  private val scene =
+    if (args.contains("moving")) RandomScenes.moving(640, 480, 1, inside = false) else PongScene.room()
   private val chosen = if (args.contains("noLight")) scene.copy(light = None) else scene
   private val config = RayConfig(chosen, VideoMode.Vga640x480)
   FrustumSim.spinalConfig.copy(targetDirectory = args.head).generateVerilog {
@@ -15,7 +16,8 @@ object RayVerilog extends App {
     println(
       s"set-up ${r.setUpClocks} of ${config.mode.blankClocks} clocks, row load ${r.lineClocks} of ${config.mode.hBlank}, digits ${config.setup.digitBits}, words ${config.program.size} x ${config.program.wordWidth}, latency ${r.latency}"
     )
-    for (f <- config.program.forms) println(s"${f.name} ${f.width} bits, ${f.registers} registers, ${f.loaded} loaded")
+    for (f <- config.program.forms)
+      println(s"${f.name} ${f.width} bits, ${f.registers} registers, ${f.loaded} loaded")
     r
   }
 }

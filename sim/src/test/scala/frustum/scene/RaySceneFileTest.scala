@@ -60,7 +60,13 @@ class RaySceneFileTest extends AnyFunSuite {
     val scene = read("""{"room": {"low": [-320, -240, 0], "high": [320, 240, 640], "cellBits": 6, "walls":
       {"left": {"color": "102030"}, "back": {"image": "paint.png", "texelBits": 3}, "floor": {"cellBits": 4}}},
       "quads": [{"centre": [0, 0, 640], "half": 50, "image": "paint.png", "texelBits": 1}]}""")
-    assert(scene.room.paints == Seq(RaySolid(0x102030), RayChecker(6), RayChecker(4), RayChecker(6), RayImage(4, 2, 3, texels)))
+    assert(scene.room.paints == Seq(
+      RaySolid(0x102030),
+      RayChecker(6),
+      RayChecker(4),
+      RayChecker(6),
+      RayImage(4, 2, 3, texels)
+    ))
     assert(scene.quads.map(_.paint) == Seq(RayImage(4, 2, 1, texels)))
     frustum.picture.Picture.writePng(file.resolveSibling("odd.png"), 3, 2, texels.take(6).toArray)
   }
@@ -68,15 +74,15 @@ class RaySceneFileTest extends AnyFunSuite {
   private def back(paint: String) =
     s"""{"room": {"low": [-320, -240, 0], "high": [320, 240, 640], "cellBits": 6, "walls": {"back": $paint}}}"""
   private val bad = Seq(
-    """{"camera": {"low": {}, "high": {}}}""" -> Seq("camera", "'lengths'"),
-    """{"camera": {"low": {}, "high": {}, "lengths": [1, 2]}}""" -> Seq("camera.low", "'eye'"),
-    """{"camera": {"low": {}, "high": {}, "lengths": 3}}""" -> Seq("camera.lengths", "list"),
-    back("""{"image": "none.png", "texelBits": 1}""") -> Seq("none.png", "no such picture"),
-    back("""{"image": "odd.png", "texelBits": 1}""") -> Seq("odd.png", "3 x 2", "power of two"),
-    back("""{"image": "paint.png"}""") -> Seq("room.walls.back", "'texelBits'"),
-    back("""{"image": "paint.png", "texelBits": 13}""") -> Seq("2^13", "2^12"),
-    back("""{"colour": "ffffff"}""") -> Seq("room.walls.back", "'colour'"),
-    back("""{"image": "paint.png", "color": "ffffff"}""") -> Seq("room.walls.back", "one of them"),
+    """{"camera": {"low": {}, "high": {}}}"""                     -> Seq("camera", "'lengths'"),
+    """{"camera": {"low": {}, "high": {}, "lengths": [1, 2]}}"""  -> Seq("camera.low", "'eye'"),
+    """{"camera": {"low": {}, "high": {}, "lengths": 3}}"""       -> Seq("camera.lengths", "list"),
+    back("""{"image": "none.png", "texelBits": 1}""")             -> Seq("none.png", "no such picture"),
+    back("""{"image": "odd.png", "texelBits": 1}""")              -> Seq("odd.png", "3 x 2", "power of two"),
+    back("""{"image": "paint.png"}""")                            -> Seq("room.walls.back", "'texelBits'"),
+    back("""{"image": "paint.png", "texelBits": 13}""")           -> Seq("2^13", "2^12"),
+    back("""{"colour": "ffffff"}""")                              -> Seq("room.walls.back", "'colour'"),
+    back("""{"image": "paint.png", "color": "ffffff"}""")         -> Seq("room.walls.back", "one of them"),
     "{\n\"light\": [1,2\n}"                                       -> Seq(":3: ", "JSON"),
     "{"                                                           -> Seq("JSON"),
     "[]"                                                          -> Seq("scene", "no object"),

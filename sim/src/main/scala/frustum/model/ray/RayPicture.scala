@@ -56,8 +56,8 @@ class RayPicture(scene: RayScene, width: Int, height: Int) {
   private def paint(paint: RayPaint, w: Wall, forms: Seq[Int], n: Long): Int = {
     def cell(j: Int) = (value(forms(j)) / (n << paint.cellBits)).toInt
     paint match {
-      case RaySolid(color) => color
-      case image: RayImage => image.texel(cell(w.column), cell(w.row))
+      case RaySolid(color)      => color
+      case image: RayImage      => image.texel(cell(w.column), cell(w.row))
       case RayChecker(cellBits) =>
         (0 to 2).map { a =>
           val j = w.across.indexOf(a)

@@ -86,8 +86,9 @@ class ExactRay(scene: RayScene) {
       }
     }
     val color = quad match {
-      case Some(i) => painted(scene.quads(i).paint, motion.quads(i).axes.map(_ - scene.quads(i).half), axis, hit, n)
-      case None    =>
+      case Some(i) =>
+        painted(scene.quads(i).paint, motion.quads(i).axes.map(_ - scene.quads(i).half), axis, hit, n)
+      case None =>
         // In the order of Wall.all.
         val wall = if (axis == 2) 4 else 2 * axis + (if (at == room.high(axis)) 1 else 0)
         painted(room.paints(wall), room.low.axes, axis, hit, n)
