@@ -24,6 +24,10 @@ case class PongPipelineConfig(
     s"pong is a puck and a paddle: the scene has ${scene.spheres.size} spheres, ${scene.quads.size} quads"
   )
   require(
+    scene.camera.fixed,
+    s"pong's camera stands still: the scene's goes from ${scene.camera.low} to ${scene.camera.high}"
+  )
+  require(
     mode.width >= 16 * Font.Cell,
     s"pictures of ${mode.width} pixels, at least ${16 * Font.Cell} for the text"
   )

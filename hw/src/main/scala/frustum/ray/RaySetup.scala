@@ -1,109 +1,162 @@
 package frustum.ray
 
-import frustum.spec.{RayProgram, RayStep}
+import frustum.spec.RayStep
 import spinal.core._
 import spinal.lib._
 import spinal.lib.fsm._
 
-/** Runs a [[frustum.spec.RayProgram]]: one memory of words, an adder, and a multiplier that takes a bit a clock.
+/** Runs a [[frustum.spec.RayProgram]] on one memory, whose words are read whole and written a digit at a time, and one adder of
+  * a digit. A multiplication takes its second operand's bits from the top, doubles what it has and adds the first operand or not.
   *
-  * `latch` takes the inputs and makes the frame's coefficients, `frameClocks` long. `line` gives the words
-  * of the row to come, one a clock, in `lineClocks`, then moves the state on to the next row in `rowClocks`.
-  * A `line` or `latch` while busy cuts off what runs.
+  * `latch` takes the inputs, which must stay for `takeClocks`, and makes the frame's coefficients, `frameClocks` long. `line`
+  * gives the words of the row to come, one a clock, in `lineClocks`, then moves the state on to the next row in `rowClocks`,
+  * see [[RaySetupTiming]]. A `line` or `latch` while busy cuts off what runs.
   */
-case class RaySetup(program: RayProgram) extends Component {
-  import program._
+case class RaySetup(timing: RaySetupTiming) extends Component {
+  import timing._
+  import timing.program._
   val io = new Bundle {
     val latch, line = in Bool ()
     val inputs      = in(Vec(program.inputs.map(i => SInt(i.range.width bits))))
-    val load        = master(Flow(RayRegisterLoad(program)))
+    val load        = out(RayRowLoad(program))
     val busy        = out Bool ()
   }
-  private val addressBits = log2Up(words.size)
+  private val width       = digits * digitBits
+  private val addressBits = log2Up(size)
+  private val bitBits     = log2Up(width)
+  private val digitLog    = log2Up(digitBits)
   private val steps       = frame ++ row
-  private val multiplies  = frame.count(_.op == RayStep.Multiply)
   require(!row.exists(_.op == RayStep.Multiply), "a row's steps are additions")
 
-  val frameClocks: Int = inputs.size + frame.size * RaySetup.StepClocks + multiplies * wordWidth + 2
-  val lineClocks: Int  = loadWords + 4
-  val rowClocks: Int   = row.size * RaySetup.StepClocks + 2
-
-  private val initial = words.map(w => w.constant.getOrElse(BigInt(0)) & ((BigInt(1) << wordWidth) - 1))
-  val memory          = Mem(Bits(wordWidth bits), words.size).initBigInt(initial)
+  private def digit(v: BigInt, d: Int) = v >> (d * digitBits) & ((BigInt(1) << digitBits) - 1)
+  val columns                          = Seq.tabulate(digits) { d =>
+    Mem(
+      Bits(digitBits bits),
+      size
+    ).initBigInt((0 until size).map(a => digit(constants.getOrElse(a, BigInt(0)), d)))
+  }
   private def encoded(s: RayStep): BigInt =
-    ((BigInt(s.op) << addressBits | s.to) << addressBits | s.a) << addressBits | s.b
-  val steprom = Mem(Bits(2 + 3 * addressBits bits), steps.size).initBigInt(steps.map(encoded))
-
-  val latched      = Vec(io.inputs.map(v => RegNextWhen(v, io.latch)))
-  val pc, end      = Reg(UInt(log2Up(steps.size + 1) bits))
-  val count        = Reg(UInt(log2Up(wordWidth.max(loadWords + 1).max(inputs.size + 1)) bits))
-  val a, b, result = Reg(Bits(wordWidth bits))
-
-  val readAddress  = UInt(addressBits bits)
-  val read         = memory.readSync(readAddress)
-  val writing      = False
-  val writeAddress = UInt(addressBits bits)
-  val writeData    = Bits(wordWidth bits)
-  memory.write(writeAddress, writeData, writing)
+    Seq(
+      s.op                    -> 2,
+      (multiplierBits(s) - 1) -> bitBits,
+      s.to                    -> addressBits,
+      s.a                     -> addressBits,
+      s.b                     -> addressBits
+    )
+      .foldLeft(BigInt(0)) { case (word, (v, bits)) => word << bits | v }
+  val steprom     = Mem(Bits(2 + bitBits + 3 * addressBits bits), steps.size).initBigInt(steps.map(encoded))
+  val pc, end     = Reg(UInt(log2Up(steps.size + 1) bits))
   val instruction = steprom.readSync(pc.resize(log2Up(steps.size)))
-  val op          = instruction(3 * addressBits, 2 bits).asUInt
-  val to          = instruction(2 * addressBits, addressBits bits).asUInt
-  readAddress  := instruction(addressBits, addressBits bits).asUInt
-  writeAddress := to
-  writeData    := result
+  private def address(place: Int) = instruction(place * addressBits, addressBits bits).asUInt
+  private val (b, a, to)          = (address(0), address(1), address(2))
+  private val topBit              = instruction(3 * addressBits, bitBits bits).asUInt
+  private val op                  = instruction(3 * addressBits + bitBits, 2 bits).asUInt
+  private val multiplying         = op === RayStep.Multiply
+
+  val count                             = Reg(UInt(log2Up(loadWords.max(inputs.size).max(2)) bits))
+  val place                             = Reg(UInt(bitBits - digitLog bits)) // of the digit
+  val bitPlace                          = Reg(UInt(bitBits bits))
+  private val lastPlace                 = if (digits == 1) True else place === digits - 1
+  private def digitOf(word: Bits): Bits = {
+    val all = Vec.tabulate(digits)(d => word(d * digitBits, digitBits bits))
+    if (digits == 1) all.head else all.read(place.resize(log2Up(digits)))
+  }
+  val readAddress = CombInit(a)
+  val read        = columns.map(_.readSync(readAddress)).reverse.reduce(_ ## _)
+
+  /** The adder: `first` waits for the second operand, which comes from the memory. */
+  val alu = new Area {
+    val first     = Reg(UInt(digitBits bits))
+    val shiftedIn = Reg(Bool()) // what the digit below gives when doubled
+    val carry     = Reg(Bool())
+    val bit       = Reg(Bool()) // of the multiplier
+    val top       = Reg(Bool()) // the highest, which counts negative
+    val subtract  = Mux(multiplying, top, op === RayStep.Subtract)
+    val doubled   = Mux(multiplying, (first ## shiftedIn).asUInt.resize(digitBits), first)
+    val gate      = !multiplying || bit
+    val second    =
+      (digitOf(read).asUInt & U(digitBits bits, default -> gate)) ^ U(digitBits bits, default -> subtract)
+    val sum = (doubled +^ second) + carry.asUInt
+  }
+  val writing      = False
+  val writeAddress = CombInit(to)
+  val writeData    = CombInit(alu.sum.resize(digitBits).asBits)
+  for ((column, d) <- columns.zipWithIndex)
+    column.write(writeAddress, writeData, if (digits == 1) writing else writing && place === d)
 
   val loading = RegNext(False) init False
+  io.load.clear := RegNext(io.line) init False
   io.load.valid := loading
   io.load.index := RegNext(count.resize(io.load.index.getWidth))
-  io.load.data  := read
+  io.load.data  := read.resized
 
   val fsm = new StateMachine {
-    val idle                                                        = makeInstantEntry()
-    val take, fetch, readA, readB, calculate, multiply, write, load = new State
+    val idle                                         = makeInstantEntry()
+    val take, fetch, start, bit, first, second, load = new State
     take.whenIsActive {
       if (inputs.nonEmpty) {
-        writing := True
-        writeData.assignFromBits(
-          Vec(latched.map(_.resize(wordWidth).asBits)).read(count.resize(log2Up(inputs.size.max(2))))
-        )
-        writeAddress := Vec(
-          inputs.map(i => U(i.address, addressBits bits))
-        ).read(count.resize(log2Up(inputs.size.max(2))))
+        val at = count.resize(log2Up(inputs.size.max(2)))
+        writing      := True
+        writeData    := digitOf(Vec(io.inputs.map(_.resize(width).asBits)).read(at))
+        writeAddress := Vec(inputs.map(i => U(i.address, addressBits bits))).read(at)
       }
-      count := count + 1
-      when(count === scala.math.max(inputs.size - 1, 0)) { goto(fetch) }
+      place := place + 1
+      when(lastPlace) {
+        place := 0
+        count := count + 1
+        when(count === scala.math.max(inputs.size - 1, 0))(goto(fetch))
+      }
     }
-    fetch.whenIsActive { when(pc === end)(goto(idle)).otherwise(goto(readA)) }
-    readA.whenIsActive(goto(readB))
-    readB.whenIsActive {
-      a           := read
-      readAddress := instruction(0, addressBits bits).asUInt
-      goto(calculate)
+    fetch.whenIsActive { when(pc === end)(goto(idle)).otherwise(goto(start)) }
+    start.whenIsActive {
+      place     := 0
+      alu.top   := True
+      alu.carry := op === RayStep.Subtract
+      bitPlace  := topBit
+      goto(first)
+      when(multiplying) {
+        place       := (topBit >> digitLog).resized
+        readAddress := b
+        goto(bit)
+      }
     }
-    calculate.whenIsActive {
-      b      := read
-      result := Mux(
-        op === RayStep.Multiply,
-        B(0, wordWidth bits),
-        Mux(op === RayStep.Add, a.asUInt + read.asUInt, a.asUInt - read.asUInt).asBits
-      )
-      count := 0
-      when(op === RayStep.Multiply)(goto(multiply)).otherwise(goto(write))
+    // The multiplier has been read: its bit, then the result so far.
+    bit.whenIsActive {
+      alu.bit       := digitOf(read)(bitPlace.resize(digitLog))
+      alu.carry     := alu.top
+      alu.shiftedIn := False
+      place         := 0
+      readAddress   := to
+      goto(first)
     }
-    multiply.whenIsActive {
-      when(b(0))(result := (result.asUInt + a.asUInt).asBits)
-      a     := a |<< 1
-      b     := b |>> 1
-      count := count + 1
-      when(count === wordWidth - 1)(goto(write))
+    first.whenIsActive {
+      alu.first   := digitOf(read).asUInt
+      when(multiplying && alu.top)(alu.first := 0)
+      readAddress := Mux(multiplying, a, b)
+      goto(second)
     }
-    write.whenIsActive {
-      writing := True
-      pc      := pc + 1
-      goto(fetch)
+    second.whenIsActive {
+      writing       := True
+      alu.carry     := alu.sum.msb
+      alu.shiftedIn := alu.first.msb
+      place         := place + 1
+      readAddress   := Mux(multiplying, to, a)
+      goto(first)
+      when(lastPlace) {
+        pc := pc + 1
+        goto(fetch)
+        when(multiplying && bitPlace =/= 0) {
+          pc          := pc
+          bitPlace    := bitPlace - 1
+          alu.top     := False
+          place       := ((bitPlace - 1) >> digitLog).resized
+          readAddress := b
+          goto(bit)
+        }
+      }
     }
     load.whenIsActive {
-      readAddress := (count.resize(addressBits) + program.load).resized
+      readAddress := count.resized
       loading     := True
       count       := count + 1
       when(count === loadWords - 1) {
@@ -116,23 +169,12 @@ case class RaySetup(program: RayProgram) extends Component {
       when(io.line) { count := 0; goto(load) }
       when(io.latch) {
         count := 0
+        place := 0
         pc    := 0
         end   := frame.size
-        goto(if (inputs.isEmpty) fetch else take)
+        goto(take)
       }
     }
     io.busy := !isActive(idle)
   }
-}
-
-object RaySetup {
-
-  /** Clocks of a step besides a multiplication's bits: fetch, two reads, calculate, write. */
-  val StepClocks = 5
-}
-
-/** Word `index` of the row load. */
-case class RayRegisterLoad(program: RayProgram) extends Bundle {
-  val index = UInt(log2Up(program.loadWords) bits)
-  val data  = Bits(program.wordWidth bits)
 }

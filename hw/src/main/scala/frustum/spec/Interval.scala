@@ -13,7 +13,10 @@ case class Interval(low: BigInt, high: BigInt) {
     val most = (low * low).max(high * high)
     Interval(if (low <= 0 && high >= 0) 0 else (low * low).min(high * high), most)
   }
-  def contains(v: BigInt): Boolean = low <= v && v <= high
+
+  /** What lies in both. */
+  def within(o: Interval): Interval = Interval(low.max(o.low), high.min(o.high))
+  def contains(v: BigInt): Boolean  = low <= v && v <= high
 
   /** Bits of two's complement that hold it. */
   def width: Int = low.bitLength.max(high.bitLength) + 1

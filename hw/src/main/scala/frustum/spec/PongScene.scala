@@ -10,7 +10,7 @@ object PongScene {
     *   units between neighbouring pixels: 1 for 640 x 480, 16 for 40 x 30, which sees the same field
     */
   def room(width: Int = 640, height: Int = 480, pixel: Int = 1, centred: Boolean = true): RayScene = RayScene(
-    RayCamera.forward(Eye, width, height, 320, pixel, centred),
+    RayCameraRange(RayCamera.forward(Eye, width, height, 320, pixel, centred)),
     RayRoom(IntVector(-320, -240, 0), IntVector(320, 240, 640), 6),
     Seq(RaySphere(PuckLow, PuckHigh, PuckRadius, 0xff0000)),
     Seq(RayQuad(IntVector(-PaddleX, -PaddleY, 640), IntVector(PaddleX, PaddleY, 640), Reach, 0xffffff)),

@@ -18,9 +18,9 @@ import scala.math.{ceil, max, min, round, sqrt}
   *   least and greatest A of the picture
   */
 final class RayShade(scene: RayScene, program: RayProgram, squareLow: Long, squareHigh: Long) {
-  private val light              = scene.light.get
+  private val light              = RayBox(scene.light.get)
   val radius: Int                = scene.spheres.map(_.radius).max
-  private val lightAway          = scene.spheres.map(s => s.farthest(light)).max
+  private val lightAway          = scene.spheres.map(s => s.box.farthest(light)).max
   private def bits(v: Long)      = BigInt(v).bitLength
   private def form(name: String) = scene.spheres.indices.map(i => program.form(s"$name$i").width).max
 
@@ -96,10 +96,7 @@ object RayShade {
   def apply(scene: RayScene, program: RayProgram, width: Int, height: Int): Option[RayShade] =
     if (!scene.shaded || scene.spheres.isEmpty || scene.light.isEmpty) None
     else {
-      val squares = for (v <- 0 until height; h <- 0 until width) yield {
-        val d = scene.camera.direction(h, v)
-        d.dot(d)
-      }
-      Some(new RayShade(scene, program, squares.min.max(1), squares.max.max(1)))
+      val (least, most) = scene.camera.squares(width, height)
+      Some(new RayShade(scene, program, least.max(1), most.max(1)))
     }
 }

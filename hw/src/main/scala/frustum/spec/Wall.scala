@@ -8,13 +8,13 @@ case class Wall(index: Int, axis: Int, sign: Int) {
   /** The axes that lie in it. */
   val across: Seq[Int] = (0 to 2).filter(_ != axis)
 
+  /** Those of an image's columns, to the right, and of its rows, upwards: places in `across`. */
+  val (column, row) = if (axis == 0) (1, 0) else (0, 1)
+
   def position(room: RayRoom): Int = if (sign > 0) room.high(axis) else room.low(axis)
 
-  /** Distance from the eye along the axis, positive. */
-  def distance(scene: RayScene): Int = sign * (position(scene.room) - scene.camera.eye(axis))
-
   /** The checker bit of its own axis, the same all over the wall. */
-  def bit(room: RayRoom): Boolean = ((position(room) - room.low(axis)) >> room.cellBits & 1) == 1
+  def bit(room: RayRoom, cellBits: Int): Boolean = ((position(room) - room.low(axis)) >> cellBits & 1) == 1
 }
 
 object Wall {
@@ -22,5 +22,6 @@ object Wall {
   val back: Wall     = all.last
 
   /** Walls that meet in an edge, the one that is taken there first. */
-  def pairs: Seq[(Wall, Wall)] = for (p <- all; q <- all if p.index < q.index && p.axis != q.axis) yield (p, q)
+  def pairs: Seq[(Wall, Wall)] =
+    for (p <- all; q <- all if p.index < q.index && p.axis != q.axis) yield (p, q)
 }

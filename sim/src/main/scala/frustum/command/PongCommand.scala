@@ -15,8 +15,7 @@ object PongCommand extends CommandLine {
     Arguments.parse(name, PongOptions.parser, args, PongOptions()).map(PongOptions.check).fold(0)(pong)
 
   private def pong(o: PongOptions): Int = {
-    val shaded = PongScenes.config(o.mode, o.scene)
-    val config = shaded.copy(scene = shaded.scene.copy(shaded = !o.flat))
+    val config = PongScenes.config(o.mode, o.scene)
     val player = players(o)
     prepare(o.out)
     OutputFile.check(o.reportFile)

@@ -9,7 +9,6 @@ import java.nio.file.{Path, Paths}
 final case class PongOptions(
     frames: Int = 60,
     autoplay: Boolean = false,
-    flat: Boolean = false,
     input: Option[Path] = None,
     scene: Option[Path] = None,
     mode: VideoMode = VideoMode.Vga640x480,
@@ -33,8 +32,6 @@ object PongOptions {
         .text("frames to draw (default 60)"),
       opt[Unit]("autoplay").action((_, o) => o.copy(autoplay = true))
         .text("the paddle goes where the puck will arrive (default: no button is pressed)"),
-      opt[Unit]("flat").action((_, o) => o.copy(flat = true))
-        .text("the puck in its full colour, as icebreaker-pong has it for want of room (default: shaded)"),
       opt[Path]("input")(Arguments.file).valueName("FILE").action((v, o) => o.copy(input = Some(v)))
         .text("buttons, a line a tick of two frames: any of u d l r, or -"),
       opt[Path]("scene")(Arguments.file).valueName("FILE.json").action((v, o) => o.copy(scene = Some(v)))

@@ -13,7 +13,7 @@ object PongScenes {
   def room(mode: VideoMode): RayScene = {
     val scene = PongScene.room(mode.width, mode.height)
     val focal = -PongScene.Eye.z * mode.width / (scene.room.high.x - scene.room.low.x)
-    scene.copy(camera = RayCamera.forward(PongScene.Eye, mode.width, mode.height, focal))
+    scene.copy(camera = RayCameraRange(RayCamera.forward(PongScene.Eye, mode.width, mode.height, focal)))
   }
 
   /** The game in its room, or in the one of a file, where puck and paddle must be able to go wherever the rules take

@@ -3,8 +3,8 @@ package frustum.judge
 import frustum.reference.ray.ExactRay
 import frustum.spec.{RayMotion, RayScene}
 
-/** Judges frames of a ray caster, given as object ids and 0xRRGGBB, against exact arithmetic. Cells and shadows
-  * are read from the colours: a component above 191 of a lit cell, above 63 of any.
+/** Judges frames of a ray caster, given as object ids and 0xRRGGBB, against exact arithmetic. A wall or a quad has its paint's
+  * colour or, in shadow, half of it; any other counts as a wrong cell or texel.
   */
 class RayJudge(scene: RayScene, width: Int, height: Int) {
   private val exact       = new ExactRay(scene)
@@ -25,13 +25,10 @@ class RayJudge(scene: RayScene, width: Int, height: Int) {
       want(at) = Seq(16, 8, 0).zip(e.rgb).map { case (s, c) => scala.math.round(c).toInt << s }.sum
       if ((objects(at) >= firstSphere) != (e.objectId >= firstSphere)) silhouette += 1
       if (objects(at) != e.objectId) wrong += 1
-      else if (e.objectId == 1 || e.objectId >= 2 && e.objectId < firstSphere) {
-        if (e.rgb.max > 0 && (seen.max < 192) != e.shadowed) shadow += 1
-        if (
-          e.objectId == 1 && seen.zipWithIndex.map { case (c, i) =>
-            (if (c > 63) 1 else 0) << i
-          }.sum != e.cell
-        ) cells += 1
+      else if (e.objectId >= 1 && e.objectId < firstSphere) {
+        val (lit, dark) = (e.paint, e.paint >> 1 & 0x7f7f7f)
+        val (is, other) = if (e.shadowed) (dark, lit) else (lit, dark)
+        if (rgb(at) == other && is != other) shadow += 1 else if (rgb(at) != is) cells += 1
       }
       val error = seen.zip(e.rgb).map { case (s, c) => (s - c).abs }.max
       most = most.max(error)

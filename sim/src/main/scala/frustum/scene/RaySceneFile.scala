@@ -7,10 +7,13 @@ import java.nio.file.Path
 /** A ray-cast scene as JSON. Every key may be left out and is then that of `base`:
   *
   *   - `camera`: `{"eye": [x, y, z], "focal": n}`, looking along +z with `focal` pixels to the screen plane; or
-  *     `{"eye", "corner", "right", "down"}`, vectors of the ray of pixel (h, v): corner + h right + v down
-  *   - `room`: `{"low": [x, y, z], "high": [x, y, z], "cellBits": n}`, checker cells of 2^n units
+  *     `{"eye", "corner", "right", "down"}`, vectors of the ray of pixel (h, v): corner + h right + v down; or, for one that
+  *     moves, `{"low": {four vectors}, "high": {four vectors}, "lengths": [least, greatest]}` with the lengths of its rays
+  *   - `room`: `{"low": [x, y, z], "high": [x, y, z], "cellBits": n}`, checker cells of 2^n units; with `"walls"`, any of
+  *     `"left", "right", "floor", "ceiling", "back"`, each painted otherwise: `{"cellBits": n}`, `{"color": c}`, or
+  *     `{"image": "FILE.png", "texelBits": n}`, nearest texels of 2^n units, sides that are powers of two, the file beside this one
   *   - `spheres`: each `{"low", "high", "radius", "color"}`, its centre staying between low and high; or `"centre"`
-  *   - `quads`: each `{"low", "high", "half", "color"}` or with `"centre"`, squares on the back wall
+  *   - `quads`: each `{"low", "high", "half", "color"}` or with `"centre"`, squares on the back wall; `"image"` and `"texelBits"` for `"color"`
   *   - `light`: `[x, y, z]`, or `null`; `background`: a colour
   *
   * Coordinates are whole units; colours are strings of six hexadecimal digits. Keys that are not known are errors.
@@ -20,51 +23,18 @@ object RaySceneFile {
   /** @param width,height of the picture, for the camera */
   def read(file: Path, base: RayScene, width: Int, height: Int): RayScene = {
     val root = JsonFile.read(file, "docs/pong.md")
-    try new Reader(file).scene(root, base, width, height)
+    try new Reader(file, base).scene(root, width, height)
     catch {
       case e: IllegalArgumentException =>
         throw InputError(s"$file: ${e.getMessage.stripPrefix("requirement failed: ")}")
     }
   }
 
-  private class Reader(file: Path) {
-    private def refuse(path: String, what: String): Nothing = throw InputError(s"$file: $path: $what")
+  /** Names of the walls, in the order of [[Wall.all]]. */
+  private val Walls = Seq("left", "right", "floor", "ceiling", "back")
 
-    private def fields(v: ujson.Value, path: String, known: String*): collection.Map[String, ujson.Value] =
-      v match {
-        case o: ujson.Obj =>
-          o.value.keys.find(!known.contains(_)).foreach(k =>
-            refuse(path, s"there is no key '$k'; known are ${known.mkString(", ")}")
-          )
-          o.value
-        case _ => refuse(path, s"is no object; write {${known.map("\"" + _ + "\": ...").mkString(", ")}}")
-      }
-    private def list(v: ujson.Value, path: String): Seq[ujson.Value] = v match {
-      case a: ujson.Arr => a.value.toSeq
-      case _            => refuse(path, "is no list; write [...]")
-    }
-    private def whole(v: ujson.Value, path: String): Int = v match {
-      case ujson.Num(n) if n == n.toInt && n.abs < 1e6 => n.toInt
-      case other => refuse(path, s"${ujson.write(other)} is not a whole number of at most 6 digits")
-    }
-    private def vector(v: ujson.Value, path: String): IntVector = list(v, path) match {
-      case Seq(x, y, z) => IntVector(whole(x, path), whole(y, path), whole(z, path))
-      case other        => refuse(path, s"has ${other.size} numbers; write [x, y, z]")
-    }
-    private def color(v: ujson.Value, path: String): Int = v match {
-      case ujson.Str(s) if s.matches("[0-9a-fA-F]{6}") => Integer.parseInt(s, 16)
-      case other                                       =>
-        refuse(path, s"${ujson.write(other)} is no colour; write six hexadecimal digits, \"ff8000\"")
-    }
-
-    /** The vector or number of a key that must be there. */
-    private def need[A](
-        o: collection.Map[String, ujson.Value],
-        path: String,
-        key: String
-    )(read: (ujson.Value, String) => A): A =
-      read(o.getOrElse(key, refuse(path, s"the key '$key' is missing")), s"$path.$key")
-
+  private class Reader(file: Path, base: RayScene) extends JsonFields(file) {
+    import RayCameraRange.Vectors
     private def range(o: collection.Map[String, ujson.Value], path: String): (IntVector, IntVector) =
       if (o.contains("centre")) {
         val c = need(o, path, "centre")(vector)
@@ -73,24 +43,76 @@ object RaySceneFile {
         (c, c)
       } else (need(o, path, "low")(vector), need(o, path, "high")(vector))
 
-    private def camera(v: ujson.Value, width: Int, height: Int): RayCamera = {
-      val o   = fields(v, "camera", "eye", "focal", "corner", "right", "down")
-      val eye = need(o, "camera", "eye")(vector)
-      if (o.contains("focal")) RayCamera.forward(eye, width, height, need(o, "camera", "focal")(whole))
-      else RayCamera(
-        eye,
-        need(o, "camera", "corner")(vector),
-        need(o, "camera", "right")(vector),
-        need(o, "camera", "down")(vector)
-      )
+    private def camera(v: ujson.Value, width: Int, height: Int): RayCameraRange = {
+      val o = fields(v, "camera", "eye" +: "focal" +: "low" +: "high" +: "lengths" +: Vectors.tail: _*)
+      if (o.contains("lengths"))
+        list(o("lengths"), "camera.lengths").map(whole(_, "camera.lengths")) match {
+          case Seq(least, most) =>
+            val Seq(low, high) =
+              Seq("low", "high").map(k =>
+                need(o, "camera", k)((c, path) => vectors(fields(c, path, Vectors: _*), path))
+              )
+            RayCameraRange(low, high, Some((least, most)))
+          case other => refuse("camera.lengths", s"has ${other.size} numbers; write [least, greatest]")
+        }
+      else if (o.contains("low") || o.contains("high")) need(o, "camera", "lengths")((_, _) => base.camera)
+      else if (o.contains("focal"))
+        RayCameraRange(RayCamera.forward(
+          need(o, "camera", "eye")(vector),
+          width,
+          height,
+          need(o, "camera", "focal")(whole)
+        ))
+      else RayCameraRange(vectors(o, "camera"))
+    }
+    private def vectors(o: collection.Map[String, ujson.Value], path: String): RayCamera = {
+      val Seq(eye, corner, right, down) = Vectors.map(need(o, path, _)(vector))
+      RayCamera(eye, corner, right, down)
     }
 
     private def room(v: ujson.Value): RayRoom = {
-      val o = fields(v, "room", "low", "high", "cellBits")
-      RayRoom(
+      val o   = fields(v, "room", "low", "high", "cellBits", "walls")
+      val all = RayRoom(
         need(o, "room", "low")(vector),
         need(o, "room", "high")(vector),
         need(o, "room", "cellBits")(whole)
+      )
+      val walls =
+        o.get("walls").fold(collection.Map[String, ujson.Value]())(fields(_, "room.walls", Walls: _*))
+      all.copy(paints = all.paints.zip(Walls).map { case (checker, name) =>
+        walls.get(name).fold(checker)(paint(_, s"room.walls.$name"))
+      })
+    }
+
+    private def paint(v: ujson.Value, path: String): RayPaint = {
+      val o = fields(v, path, "cellBits", "color", "image", "texelBits")
+      if (o.contains("cellBits")) RayChecker(need(o, path, "cellBits")(whole)) else surface(o, path)
+    }
+
+    /** What a wall or a quad may have. */
+    private def surface(o: collection.Map[String, ujson.Value], path: String): RayPaint = {
+      if (o.contains("image") && o.contains("color"))
+        refuse(path, "has an image and a colour; give one of them")
+      if (o.contains("image")) image(o, path) else RaySolid(need(o, path, "color")(color))
+    }
+
+    private def image(o: collection.Map[String, ujson.Value], path: String): RayImage = {
+      val name = need(o, path, "image") {
+        case (ujson.Str(s), _) => s
+        case (other, at)       => refuse(at, s"${ujson.write(other)} is no name of a file")
+      }
+      val picture = TextureFile.read(
+        file.resolveSibling(name),
+        fault = (w, h) =>
+          Option.when(!Seq(w, h).forall(n => n <= RayPaint.MaxSide && Integer.bitCount(n) == 1))(
+            s"is $w x $h: each side must be a power of two up to ${RayPaint.MaxSide}"
+          )
+      )
+      RayImage(
+        picture.width,
+        picture.height,
+        need(o, path, "texelBits")(whole),
+        picture.argb.map(_ & 0xffffff)
       )
     }
 
@@ -101,15 +123,15 @@ object RaySceneFile {
     }
 
     private def quad(v: ujson.Value, path: String): RayQuad = {
-      val o           = fields(v, path, "low", "high", "centre", "half", "color")
+      val o           = fields(v, path, "low", "high", "centre", "half", "color", "image", "texelBits")
       val (low, high) = range(o, path)
-      RayQuad(low, high, need(o, path, "half")(whole), need(o, path, "color")(color))
+      RayQuad(low, high, need(o, path, "half")(whole), surface(o, path))
     }
 
     private def each[A](v: ujson.Value, path: String)(read: (ujson.Value, String) => A): Seq[A] =
       list(v, path).zipWithIndex.map { case (e, i) => read(e, s"$path[$i]") }
 
-    def scene(root: ujson.Value, base: RayScene, width: Int, height: Int): RayScene = {
+    def scene(root: ujson.Value, width: Int, height: Int): RayScene = {
       val o = fields(root, "scene", "camera", "room", "spheres", "quads", "light", "background")
       RayScene(
         o.get("camera").fold(base.camera)(camera(_, width, height)),

@@ -1,5 +1,7 @@
 package frustum.command
 
+import frustum.boards.icebreaker.IcebreakerTops
+import frustum.spec.VideoMode
 import org.scalatest.funsuite.AnyFunSuite
 import java.nio.file.{Files, Path}
 
@@ -13,6 +15,12 @@ class PongArgumentsTest extends AnyFunSuite {
   private val empty   = file("none.json", """{"spheres": []}""")
   private val still   =
     file("still.json", """{"spheres": [{"centre": [0, 0, 320], "radius": 20, "color": "ff0000"}]}""")
+  private val moving = file(
+    "moving.json",
+    """{"camera": {"lengths": [300, 900],
+      "low":  {"eye": [0, 0, -320], "corner": [-700, -700, -700], "right": [-2, -2, -2], "down": [-2, -2, -2]},
+      "high": {"eye": [0, 0, -300], "corner": [700, 700, 700], "right": [2, 2, 2], "down": [2, 2, 2]}}}"""
+  )
   private val broken = file("broken.json", "{\n  \"light\": [1, 2,\n")
 
   private val table = Seq(
@@ -28,6 +36,7 @@ class PongArgumentsTest extends AnyFunSuite {
     s"pong --scene '$broken'"             -> Seq("broken.json:", "JSON"),
     s"pong --scene '$empty'"              -> Seq("none.json", "0 spheres"),
     s"pong --scene '$still'"              -> Seq("still.json", "puck", "(-300, -220, 20)"),
+    s"pong --scene '$moving'"             -> Seq("moving.json", "camera stands still", "(0, 0, -300)"),
     "play"                                -> Seq("play pong"),
     "play chess"                          -> Seq("chess", "play pong"),
     "play pong --frames x"                -> Seq("--frames")
@@ -40,6 +49,10 @@ class PongArgumentsTest extends AnyFunSuite {
     assert(run.err.length == 1 && run.err.head.startsWith("error: "), run)
     fragments.foreach(f => assert(run.err.head.contains(f), run.err.head))
     assert(folder.toFile.list().isEmpty)
+  }
+
+  test("what pong simulates is what the iCEBreaker's top is built with") {
+    assert(PongScenes.config(VideoMode.Vga640x480, None) == IcebreakerTops.pongConfig)
   }
 
   test("--out that is a file is refused") {

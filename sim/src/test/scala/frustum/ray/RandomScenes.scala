@@ -16,6 +16,59 @@ object RandomScenes {
       scene.quads.map(q => within(r, q.low, q.high))
     )
 
+  /** Pong with a camera that goes where it likes before the room or, its puck staying at the back, in it, and turns as it likes. */
+  def moving(width: Int, height: Int, pixel: Int, inside: Boolean): RayScene = {
+    val pong        = PongScene.room(width, height, pixel)
+    def all(n: Int) = (IntVector(-n, -n, -n), IntVector(n, n, n))
+    val (eye, far)  =
+      if (inside) (IntVector(-100, -100, 50), IntVector(100, 100, 300))
+      else (IntVector(-100, -100, -320), IntVector(100, 100, -100))
+    val (low, high) = all(2 * pixel)
+    val long        =
+      scala.math.ceil(1.05 * scala.math.sqrt(pong.camera.squares(width + 1, height + 1)._2.toDouble)).toInt
+    val (near, wide) = all(long)
+    val puck         = pong.spheres.head
+    pong.copy(
+      camera =
+        RayCameraRange(RayCamera(eye, near, low, low), RayCamera(far, wide, high, high), Some((550, long))),
+      spheres = Seq(if (inside) puck.copy(low = puck.low.copy(z = 400)) else puck)
+    )
+  }
+
+  /** A camera that `moving` accepts, by yaw, pitch and roll, its vectors rounded. */
+  def camera(scene: RayScene, r: Random, width: Int, height: Int, pixel: Int): RayCamera = {
+    val eye                  = within(r, scene.eye.low, scene.eye.high)
+    val angles               = Seq.fill(3)(r.nextDouble() * 2 * scala.math.Pi)
+    def turn(v: Seq[Double]) =
+      angles.zip(Seq((0, 2), (1, 2), (0, 1))).foldLeft(v) { case (u, (angle, (i, j))) =>
+        val (c, s) = (scala.math.cos(angle), scala.math.sin(angle))
+        u.updated(i, c * u(i) - s * u(j)).updated(j, s * u(i) + c * u(j))
+      }
+    def vector(x: Int, y: Int, z: Int) = {
+      val Seq(a, b, c) = turn(Seq(x.toDouble, y.toDouble, z.toDouble)).map(scala.math.round(_).toInt)
+      IntVector(a, b, c)
+    }
+    RayCamera(
+      eye,
+      vector((1 - width) * pixel, (height - 1) * pixel, 640),
+      vector(2 * pixel, 0, 0),
+      vector(0, -2 * pixel, 0)
+    )
+  }
+
+  /** One of each kind, images of random sizes and colours. */
+  def paint(r: Random, wall: Boolean): RayPaint = r.nextInt(if (wall) 3 else 2) match {
+    case 0 => RaySolid(r.nextInt(1 << 24))
+    case 1 =>
+      val (width, height) = (1 << r.nextInt(6), 1 << r.nextInt(6))
+      RayImage(width, height, r.nextInt(7), IndexedSeq.fill(width * height)(r.nextInt(1 << 24)))
+    case _ => RayChecker(3 + r.nextInt(5))
+  }
+  def painted(scene: RayScene, r: Random): RayScene = scene.copy(
+    room = scene.room.copy(paints = Wall.all.map(_ => paint(r, wall = true))),
+    quads = scene.quads.map(_.copy(paint = paint(r, wall = false)))
+  )
+
   /** Room of pong, other eye, orientation, light and up to 8 spheres that stand apart: near the eye, behind it,
     * touching walls.
     */
@@ -53,7 +106,7 @@ object RandomScenes {
         else kept
       }
     RayScene(
-      camera,
+      RayCameraRange(camera),
       room,
       spheres,
       PongScene.room().quads,

@@ -50,6 +50,37 @@ class RayModelTest extends AnyFunSuite {
     assert(areas == areas.sorted.reverse && areas.last > 0, areas)
   }
 
+  test("a sphere behind the eye is not drawn") {
+    val behind = IntVector(0, 0, -400)
+    val scene  = pong.copy(spheres = Seq(RaySphere(behind, behind, 20, 0xff0000)))
+    val seen   = new RayPicture(scene, width, height)(RayMotion(Seq(behind), Seq(IntVector(0, 0, 640))))
+    assert(!seen.exists(_.objectId == 3))
+  }
+
+  test("the back wall is 960 away: so wide the paddle looks") {
+    val fine = new RayPicture(PongScene.room(), 640, 480)(at(-300, -220, 20))
+    val row  = (0 until 640).filter(h => fine(240 * 640 + h).objectId == 2)
+    // Half a size of 50 at 960, in pixels 320 before the eye: 16.67.
+    assert(row == (303 to 336), row)
+  }
+
+  test("walls end at the room's front: beyond it nothing is hit") {
+    val back = RayCamera(
+      IntVector(0, 0, 320),
+      IntVector(39 * 16, 29 * 16, -640),
+      IntVector(-32, 0, 0),
+      IntVector(0, -32, 0)
+    )
+    val scene = pong.copy(camera = RayCameraRange(back), spheres = Nil)
+    val seen  = new RayPicture(scene, width, height)(RayMotion(Nil, Seq(IntVector(0, 0, 640))))
+    // The front, 640 x 480 at a distance of 320, fills the picture.
+    assert(seen.forall(p => p.objectId == 0 && p.rgb == 0xffff00))
+    val nearer = scene.copy(camera = RayCameraRange(back.copy(eye = IntVector(0, 0, 480))))
+    val walls  = new RayPicture(nearer, width, height)(RayMotion(Nil, Seq(IntVector(0, 0, 640))))
+    assert(walls.count(_.objectId == 0) == 26 * 20 && walls(0).objectId == 1)
+    judge(nearer, Seq(RayMotion(Nil, Seq(IntVector(0, 0, 640))))).foreach(exact)
+  }
+
   test("centre rays of either sampling see no division by zero; pixel corners are exact too") {
     val corner = PongScene.room(width, height, 16, centred = false)
     judge(corner, Seq(at(0, 0, 320), at(100, -50, 300))).foreach(exact)
@@ -66,5 +97,59 @@ class RayModelTest extends AnyFunSuite {
     val scenes = Seq.fill(200)(RandomScenes.scene(random, width, height))
     assert(scenes.map(_.spheres.size).toSet == (0 to 8).toSet)
     for (s <- scenes) judge(s, Seq(RandomScenes.motion(s, random))).foreach(exact)
+  }
+
+  for (inside <- Seq(false, true))
+    test(s"a camera that moves and turns, ${if (inside) "in" else "before"} the room, 150 frames (seed 3)") {
+      val random  = new Random(3)
+      val scene   = RandomScenes.moving(width, height, 16, inside)
+      val motions = Seq.fill(150)(
+        RandomScenes.motion(scene, random).copy(camera =
+          Some(RandomScenes.camera(scene, random, width, height, 16))
+        )
+      )
+      val counts = judge(scene, motions)
+      counts.foreach(exact)
+      assert(counts.map(_.maxColourError).max <= 2, counts.maxBy(_.maxColourError))
+    }
+
+  test("a camera beyond what is declared is refused with the numbers; so is one that moves without lengths") {
+    val scene                         = RandomScenes.moving(width, height, 16, inside = false)
+    val camera                        = RandomScenes.camera(scene, new Random(4), width, height, 16)
+    val still                         = PongScene.room(width, height, 16).camera.low
+    def refused(c: Option[RayCamera]) =
+      intercept[IllegalArgumentException](new RayPicture(scene, width, height)(at(0, 0, 320).copy(camera =
+        c
+      ))).getMessage
+    assert(refused(Some(camera.copy(eye =
+      IntVector(0, 101, -200)
+    ))).contains("eye (0, 101, -200), accepted (-100, -100, -320)"))
+    assert(refused(Some(camera.copy(corner = IntVector(1, 2, 3)))).contains("accepted 550 to"))
+    assert(refused(None).contains("needs one"))
+    val e =
+      intercept[IllegalArgumentException](RayCameraRange(still, still.copy(eye = IntVector(9, 9, 9)), None))
+    assert(e.getMessage.contains("length"))
+  }
+
+  test("solid walls, checkers of several sizes and images, on walls and quads: 60 random scenes (seed 5)") {
+    val random = new Random(5)
+    for (_ <- 1 to 60) {
+      val scene = RandomScenes.painted(RandomScenes.scene(random, width, height), random)
+      judge(scene, Seq(RandomScenes.motion(scene, random))).foreach(exact)
+    }
+  }
+
+  test("an image's top row is at the top, its left column at the left, seen on each wall") {
+    // Four texels as large as the wall's halves.
+    val image = RayImage(2, 2, 9, IndexedSeq(0xff0000, 0x00ff00, 0x0000ff, 0xffffff))
+    val scene = pong.copy(
+      room = RayRoom(IntVector(-512, -512, 0), IntVector(512, 512, 1024), Wall.all.map(_ => image)),
+      spheres = Nil,
+      quads = Nil
+    )
+    val seen                = new RayPicture(scene, width, height)(RayMotion(Nil, Nil))
+    def rgb(x: Int, y: Int) = seen(y * width + x).rgb
+    assert(Seq(rgb(18, 13), rgb(21, 13), rgb(18, 16), rgb(21, 16)) == image.rgb) // the back wall
+    assert(rgb(0, 14) == 0xff0000 && rgb(0, 15) == 0x0000ff)                     // the left wall, nearer half
   }
 }

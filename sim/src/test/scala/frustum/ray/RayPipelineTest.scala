@@ -24,9 +24,16 @@ class RayPipelineTest extends AnyFunSuite {
   private val mode =
     VideoMode("280x12", 25.175, 280, 12, 16, 96, 400, 40, 40, 120, hPositive = false, vPositive = false)
 
-  private def compare(name: String, scene: RayScene, frames: Int, seed: Int, mode: VideoMode = mode): Unit = {
+  private def compare(
+      name: String,
+      scene: RayScene,
+      frames: Int,
+      seed: Int,
+      mode: VideoMode = mode,
+      camera: Random => Option[RayCamera] = _ => None
+  ): Unit = {
     val random  = new Random(seed)
-    val motions = Seq.fill(frames)(RandomScenes.motion(scene, random))
+    val motions = Seq.fill(frames)(RandomScenes.motion(scene, random).copy(camera = camera(random)))
     val model   = new RayPicture(scene, mode.width, mode.height)
     FrustumSim.compile(s"RayPipeline_$name")(new TimedRay(RayConfig(scene, mode))).doSim(name, seed) { dut =>
       SimTimeout(100L * 1000 * 1000)
@@ -50,9 +57,13 @@ class RayPipelineTest extends AnyFunSuite {
         for ((p, v) <- dut.io.motion.spheres.zip(m.spheres) ++ dut.io.motion.quads.zip(m.quads)) {
           p.x #= v.x; p.y #= v.y; p.z #= v.z
         }
+        for (c <- m.camera; (p, v) <- dut.io.motion.camera.zip(c.vectors)) {
+          p.x #= v.x; p.y #= v.y; p.z #= v.z
+        }
         dut.io.latch #= true
         dut.clockDomain.waitSampling()
         dut.io.latch #= false
+        dut.clockDomain.waitSampling(dut.takeClocks)
         for (p <- dut.io.motion.spheres ++ dut.io.motion.quads) {
           p.x.randomize(); p.y.randomize(); p.z.randomize()
         }
@@ -68,8 +79,8 @@ class RayPipelineTest extends AnyFunSuite {
             dut.clockDomain.waitSampling()
           }
           dut.io.up.valid #= false
+          dut.clockDomain.waitSampling(mode.hTotal - dut.lineClocks - mode.width - 1)
         }
-        dut.clockDomain.waitSampling(20)
         val want = model(m)
         assert(seen.size == want.length)
         for ((w, i) <- want.zipWithIndex)
@@ -91,6 +102,28 @@ class RayPipelineTest extends AnyFunSuite {
     // The puck stays before the pillar.
     val wide = mode.copy(name = "400x12", width = 400)
     compare("two", pong.copy(spheres = Seq(pillar, puck.copy(high = puck.high.copy(z = 400)))), 4, 8, wide)
+  }
+  test("a camera that moves and turns") {
+    val scene = RandomScenes.moving(mode.width, mode.height, 3, inside = true)
+    compare(
+      "moving",
+      scene,
+      4,
+      9,
+      camera = r => Some(RandomScenes.camera(scene, r, mode.width, mode.height, 3))
+    )
+  }
+  test("images on walls and quads, solid walls") {
+    val random                           = new Random(10)
+    def image(w: Int, h: Int, bits: Int) =
+      RayImage(w, h, bits, IndexedSeq.fill(w * h)(random.nextInt(1 << 24)))
+    val (small, shared) = (image(8, 4, 3), image(16, 16, 5))
+    val paints          = Seq(shared, RaySolid(0x8040c0), shared, RayChecker(4), small)
+    val scene           = pong.copy(
+      room = pong.room.copy(paints = paints),
+      quads = pong.quads.map(_.copy(paint = image(32, 32, 2)))
+    )
+    compare("images", scene, 3, 10)
   }
   test("no sphere")(compare("noSphere", pong.copy(spheres = Nil), 2, 2))
   test("no light")(compare("noLight", pong.copy(light = None), 3, 3))

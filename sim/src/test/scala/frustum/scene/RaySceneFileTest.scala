@@ -30,7 +30,7 @@ class RaySceneFileTest extends AnyFunSuite {
       "quads": [{"centre": [0, 0, 500], "half": 40, "color": "0000ff"}],
       "light": [1, 2, 3]}""")
     assert(scene == RayScene(
-      RayCamera.forward(IntVector(10, 0, -300), 640, 480, 400),
+      RayCameraRange(RayCamera.forward(IntVector(10, 0, -300), 640, 480, 400)),
       RayRoom(IntVector(-320, -240, 0), IntVector(320, 240, 500), 5),
       Seq(
         RaySphere(IntVector(-50, -50, 100), IntVector(50, 50, 300), 30, 0x00ff80),
@@ -43,10 +43,46 @@ class RaySceneFileTest extends AnyFunSuite {
     val turned = read(
       """{"camera": {"eye": [0, 0, -300], "corner": [-1, -2, 3], "right": [1, 0, 0], "down": [0, 1, 0]}}"""
     )
-    assert(turned.camera.direction(2, 3) == IntVector(1, 1, 3))
+    assert(turned.camera.low.direction(2, 3) == IntVector(1, 1, 3))
   }
 
+  test("a camera that moves") {
+    val scene = read("""{"camera": {"lengths": [300, 900],
+      "low":  {"eye": [-10, 0, -300], "corner": [-700, -700, -700], "right": [-2, -2, -2], "down": [-2, -2, -2]},
+      "high": {"eye": [10, 0, -200], "corner": [700, 700, 700], "right": [2, 2, 2], "down": [2, 2, 2]}}}""")
+    assert(!scene.camera.fixed && scene.camera.lengths.contains((300, 900)))
+    assert(scene.eye == RayBox(IntVector(-10, 0, -300), IntVector(10, 0, -200)))
+  }
+
+  test("paints: checkers, colours, images beside the file") {
+    val texels = IndexedSeq(0x112233, 0x445566, 0x778899, 0xaabbcc, 1, 2, 3, 4)
+    frustum.picture.Picture.writePng(file.resolveSibling("paint.png"), 4, 2, texels.toArray)
+    val scene = read("""{"room": {"low": [-320, -240, 0], "high": [320, 240, 640], "cellBits": 6, "walls":
+      {"left": {"color": "102030"}, "back": {"image": "paint.png", "texelBits": 3}, "floor": {"cellBits": 4}}},
+      "quads": [{"centre": [0, 0, 640], "half": 50, "image": "paint.png", "texelBits": 1}]}""")
+    assert(scene.room.paints == Seq(
+      RaySolid(0x102030),
+      RayChecker(6),
+      RayChecker(4),
+      RayChecker(6),
+      RayImage(4, 2, 3, texels)
+    ))
+    assert(scene.quads.map(_.paint) == Seq(RayImage(4, 2, 1, texels)))
+    frustum.picture.Picture.writePng(file.resolveSibling("odd.png"), 3, 2, texels.take(6).toArray)
+  }
+
+  private def back(paint: String) =
+    s"""{"room": {"low": [-320, -240, 0], "high": [320, 240, 640], "cellBits": 6, "walls": {"back": $paint}}}"""
   private val bad = Seq(
+    """{"camera": {"low": {}, "high": {}}}"""                     -> Seq("camera", "'lengths'"),
+    """{"camera": {"low": {}, "high": {}, "lengths": [1, 2]}}"""  -> Seq("camera.low", "'eye'"),
+    """{"camera": {"low": {}, "high": {}, "lengths": 3}}"""       -> Seq("camera.lengths", "list"),
+    back("""{"image": "none.png", "texelBits": 1}""")             -> Seq("none.png", "no such picture"),
+    back("""{"image": "odd.png", "texelBits": 1}""")              -> Seq("odd.png", "3 x 2", "power of two"),
+    back("""{"image": "paint.png"}""")                            -> Seq("room.walls.back", "'texelBits'"),
+    back("""{"image": "paint.png", "texelBits": 13}""")           -> Seq("2^13", "2^12"),
+    back("""{"colour": "ffffff"}""")                              -> Seq("room.walls.back", "'colour'"),
+    back("""{"image": "paint.png", "color": "ffffff"}""")         -> Seq("room.walls.back", "one of them"),
     "{\n\"light\": [1,2\n}"                                       -> Seq(":3: ", "JSON"),
     "{"                                                           -> Seq("JSON"),
     "[]"                                                          -> Seq("scene", "no object"),
@@ -76,7 +112,7 @@ class RaySceneFileTest extends AnyFunSuite {
   )
   for ((content, fragments) <- bad) test(s"refused: ${content.replaceAll("\\s+", " ")}") {
     val e = intercept[InputError](read(content))
-    assert(e.message.startsWith(s"$file:") && !e.message.contains('\n'), e.message)
+    assert(e.message.startsWith(s"${file.getParent}") && !e.message.contains('\n'), e.message)
     fragments.foreach(f => assert(e.message.contains(f), e.message))
   }
 

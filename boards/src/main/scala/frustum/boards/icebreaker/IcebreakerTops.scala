@@ -3,7 +3,7 @@ package frustum.boards.icebreaker
 import frustum.blackbox.Tech
 import frustum.boards.{BoardClock, BoardTop, Part}
 import frustum.pipelines.PongPipelineConfig
-import frustum.spec.{Panel, PongScene, RasterConfig}
+import frustum.spec.{Panel, RasterConfig}
 
 /** What is built for the iCEBreaker. */
 object IcebreakerTops {
@@ -29,8 +29,7 @@ object IcebreakerTops {
   /** 59.8 frames a second of 640 x 480: the next to 25.175 MHz that the PLL makes. */
   val pongMHz = BigDecimal("25.125")
 
-  /** The puck in its full colour: with its shade 5,210 logic cells are needed, and nextpnr finds no place for them. */
-  val pongConfig: PongPipelineConfig = PongPipelineConfig(scene = PongScene.room().copy(shaded = false))
+  val pongConfig: PongPipelineConfig = PongPipelineConfig()
 
   val pong: BoardTop = BoardTop(
     name = "icebreaker-pong",

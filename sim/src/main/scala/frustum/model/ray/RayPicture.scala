@@ -8,7 +8,7 @@ case class RayPixel(rgb: Int, objectId: Int)
 /** Bit-exact model of the ray caster. */
 class RayPicture(scene: RayScene, width: Int, height: Int) {
   private val program                   = RayProgram(scene, width, height)
-  private val setup                     = new RaySetup(program)
+  private val setup                     = new RaySetup(program, scene, width, height)
   private val forms                     = program.forms.toArray
   private val index                     = forms.map(_.name).zipWithIndex.toMap
   private val room                      = scene.room
@@ -32,11 +32,14 @@ class RayPicture(scene: RayScene, width: Int, height: Int) {
   def apply(motion: RayMotion): Array[RayPixel] = {
     setup.frame(motion)
     Array.tabulate(height) { _ =>
-      val registers = setup.row()
+      val words = setup.row()
       for ((f, i) <- forms.zipWithIndex) {
-        value(i) = registers(f.slot(0))
-        step(i) = if (f.registers > 1) registers(f.slot(1)) else 0
-        curve(i) = if (f.registers > 2) registers(f.slot(2)) else 0
+        def start(difference: Int): Long =
+          if (difference < f.loaded) words(f.first + f.slot(difference))
+          else f.start.lift(difference).flatten.fold(0L)(_.toLong)
+        value(i) = start(0)
+        step(i) = start(1)
+        curve(i) = start(2)
       }
       Array.fill(width) {
         val p = pixel()
@@ -48,6 +51,20 @@ class RayPicture(scene: RayScene, width: Int, height: Int) {
   }
 
   private def darken(color: Int, half: Boolean): Int = if (half) (color >> 1) & 0x7f7f7f else color
+
+  /** What a wall or quad shows where it is hit, its forms being the coordinates above its low corner times n. */
+  private def paint(paint: RayPaint, w: Wall, forms: Seq[Int], n: Long): Int = {
+    def cell(j: Int) = (value(forms(j)) / (n << paint.cellBits)).toInt
+    paint match {
+      case RaySolid(color)      => color
+      case image: RayImage      => image.texel(cell(w.column), cell(w.row))
+      case RayChecker(cellBits) =>
+        (0 to 2).map { a =>
+          val j = w.across.indexOf(a)
+          if (if (j < 0) w.bit(room, cellBits) else (cell(j) & 1) == 1) 0xff0000 >> 8 * a else 0
+        }.sum
+    }
+  }
 
   private def pixel(): RayPixel = {
     val hitSpheres = spheres.indices.filter(i => value(spheres(i)._1) >= 0 && value(spheres(i)._2) > 0)
@@ -85,16 +102,11 @@ class RayPicture(scene: RayScene, width: Int, height: Int) {
         else quads.indices.find { i =>
           quads(i).forall { f => value(f) >= 0 && 2L * scene.quads(i).half * n - value(f) >= 0 }
         }
-        val (color, id) = quad match {
-          case Some(i) => (scene.quads(i).color, 2 + i)
-          case None    =>
-            val bits = (0 to 2).map { a =>
-              val j = w.across.indexOf(a)
-              if (j < 0) w.bit(room) else (value(across(w.index)(j)) / (n << room.cellBits) & 1) == 1
-            }
-            ((if (bits(0)) 0xff0000 else 0) | (if (bits(1)) 0xff00 else 0) | (if (bits(2)) 0xff else 0), 1)
+        val color = quad match {
+          case Some(i) => paint(scene.quads(i).paint, w, quads(i), n)
+          case None    => paint(room.paints(w.index), w, across(w.index), n)
         }
-        RayPixel(darken(color, shadowed), id)
+        RayPixel(darken(color, shadowed), quad.fold(1)(2 + _))
     }
   }
 }

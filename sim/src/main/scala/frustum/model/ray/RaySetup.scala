@@ -1,10 +1,10 @@
 package frustum.model.ray
 
-import frustum.spec.{RayMotion, RayProgram, RayStep}
+import frustum.spec.{RayMotion, RayProgram, RayScene, RayStep}
 
 /** The set-up's memory and its two programs; each result is checked against the range proved for it. */
-class RaySetup(program: RayProgram) {
-  private val memory = program.words.map(_.constant.getOrElse(BigInt(0))).toArray
+class RaySetup(program: RayProgram, scene: RayScene, width: Int, height: Int) {
+  private val memory = Array.tabulate(program.size)(a => program.constants.getOrElse(a, BigInt(0)))
 
   private def run(step: RayStep): Unit = {
     val (a, b) = (memory(step.a), memory(step.b))
@@ -13,17 +13,20 @@ class RaySetup(program: RayProgram) {
       case RayStep.Add      => a + b
       case RayStep.Subtract => a - b
     }
-    val range = program.words(step.to).range
-    require(range.contains(result), s"word ${step.to} is $result, proved from ${range.low} to ${range.high}")
+    require(
+      step.range.contains(result),
+      s"word ${step.to} is $result, proved from ${step.range.low} to ${step.range.high}"
+    )
     memory(step.to) = result
   }
 
   def frame(motion: RayMotion): Unit = {
+    scene.camera.refuses(motion.cameraOf(scene), width, height).foreach(what => require(false, what))
     for (i <- program.inputs) {
-      val v = (if (i.isSphere) motion.spheres else motion.quads) (i.index)(i.axis)
+      val v = i.of.in(motion, scene)(i.axis)
       require(
         i.range.contains(v),
-        s"${if (i.isSphere) "sphere" else "quad"} ${i.index} at $v on axis ${i.axis}, accepted ${i.range.low} to ${i.range.high}"
+        s"${i.of} at $v on axis ${i.axis}, accepted ${i.range.low} to ${i.range.high}"
       )
       memory(i.address) = v
     }
@@ -32,8 +35,8 @@ class RaySetup(program: RayProgram) {
 
   /** Words of the row load to come; then the state moves on to the next. */
   def row(): Array[Long] = {
-    val registers = Array.tabulate(program.loadWords)(r => memory(program.load + r).toLong)
+    val words = Array.tabulate(program.loadWords)(memory(_).toLong)
     program.row.foreach(run)
-    registers
+    words
   }
 }

@@ -1,17 +1,17 @@
 package frustum.reference.ray
 
-import frustum.spec.{IntVector, RayMotion, RayScene}
+import frustum.spec._
 
-/** What exact arithmetic says of one ray. `cell` holds the checker bits of x, y, z (bit 0, 1, 2) where a wall
-  * shows; `rgb` components are float64, 0..255.
+/** What exact arithmetic says of one ray. `paint` is the colour of the wall or quad that shows, before any shadow; `rgb`
+  * components are float64, 0..255.
   */
-case class ExactPixel(objectId: Int, sphere: Int, shadowed: Boolean, cell: Int, rgb: Seq[Double])
+case class ExactPixel(objectId: Int, shadowed: Boolean, paint: Int, rgb: Seq[Double])
 
 /** Ray casting from the textbook, every decision in whole numbers or fractions of them (BigInt), shading in
   * float64. Knows nothing of polynomials of the pixel.
   */
 class ExactRay(scene: RayScene) {
-  import scene.{camera, room}
+  import scene.room
   private type V = Seq[BigInt]
   private def big(v: IntVector): V    = v.axes.map(BigInt(_))
   private def dot(a: V, b: V): BigInt = a.zip(b).map { case (x, y) => x * y }.sum
@@ -28,9 +28,10 @@ class ExactRay(scene: RayScene) {
   private def nearRootBelow(b: BigInt, q: BigInt, s: BigInt): Boolean = s > b || (b - s) * (b - s) < q
 
   def apply(motion: RayMotion, h: Int, v: Int): ExactPixel = {
-    val d    = big(camera.direction(h, v))
-    val e    = big(camera.eye)
-    val hits = motion.spheres.indices.flatMap { i =>
+    val camera = motion.cameraOf(scene)
+    val d      = big(camera.direction(h, v))
+    val e      = big(camera.eye)
+    val hits   = motion.spheres.indices.flatMap { i =>
       val (a, b, q) = sphere(e, d, big(motion.spheres(i)), scene.spheres(i).radius)
       // Both roots positive: the eye is outside, so their product is.
       if (a > 0 && q >= 0 && b > 0) Some((i, b, q)) else None
@@ -38,7 +39,7 @@ class ExactRay(scene: RayScene) {
     val nearest = hits.reduceOption { (m, n) => if (first(n, m)) n else m }
     nearest match {
       case Some((i, b, q)) =>
-        ExactPixel(2 + scene.quads.size + i, i, false, 0, shadeSphere(motion, i, d, b, q))
+        ExactPixel(2 + scene.quads.size + i, false, 0, shadeSphere(motion, i, e, d, b, q))
       case None => wall(motion, e, d)
     }
   }
@@ -63,8 +64,8 @@ class ExactRay(scene: RayScene) {
       if (n > 0 && k > 0) Some((axis, at, k, n)) else None
     }
     if (met.isEmpty) return background
-    val (axis, _, k, n) = met.reduceLeft((m, x) => if (x._3 * m._4 < m._3 * x._4) x else m)
-    val hit             = (0 to 2).map(a => e(a) * n + k * d(a)) // times n
+    val (axis, at, k, n) = met.reduceLeft((m, x) => if (x._3 * m._4 < m._3 * x._4) x else m)
+    val hit              = (0 to 2).map(a => e(a) * n + k * d(a)) // times n
     if (hit(2) < n * room.low.z) return background
     val quad =
       if (axis != 2) None
@@ -84,32 +85,40 @@ class ExactRay(scene: RayScene) {
         q >= 0 && (c <= 0 || b > 0 && nearRootBelow(b * n, q * n * n, a))
       }
     }
-    val cells = (0 to 2).map { a =>
-      val at = hit(a) - n * room.low(a)
-      (at / (n * (BigInt(1) << room.cellBits)) & 1).toInt
+    val color = quad match {
+      case Some(i) =>
+        painted(scene.quads(i).paint, motion.quads(i).axes.map(_ - scene.quads(i).half), axis, hit, n)
+      case None =>
+        // In the order of Wall.all.
+        val wall = if (axis == 2) 4 else 2 * axis + (if (at == room.high(axis)) 1 else 0)
+        painted(room.paints(wall), room.low.axes, axis, hit, n)
     }
-    val full = quad match {
-      case Some(i) => split(scene.quads(i).color)
-      case None    => cells.map(_ * 255.0)
-    }
-    ExactPixel(
-      quad.map(2 + _).getOrElse(1),
-      -1,
-      shadowed,
-      if (quad.isEmpty) cells(0) | cells(1) << 1 | cells(2) << 2 else 0,
-      if (shadowed) full.map(_ / 2) else full
-    )
+    val full = split(color)
+    ExactPixel(quad.fold(1)(2 + _), shadowed, color, if (shadowed) full.map(_ / 2) else full)
   }
 
-  private def background                 = ExactPixel(0, -1, false, 0, split(scene.background))
+  /** What a surface across `axis` shows at hit / n. */
+  private def painted(paint: RayPaint, low: Seq[Int], axis: Int, hit: V, n: BigInt): Int = {
+    def cell(a: Int) = ((hit(a) - n * low(a)) / (n * (BigInt(1) << paint.cellBits))).toInt
+    paint match {
+      case RaySolid(color) => color
+      case image: RayImage =>
+        // Side walls: z to the right, y upwards; floor and ceiling: x and z; back wall: x and y.
+        val (column, row) = Seq((2, 1), (0, 2), (0, 1))(axis)
+        image.texel(cell(column) % image.width, cell(row) % image.height)
+      case RayChecker(_) => (0 to 2).map(a => if (cell(a) % 2 == 1) 0xff << (16 - 8 * a) else 0).sum
+    }
+  }
+
+  private def background                 = ExactPixel(0, false, 0, split(scene.background))
   private def split(c: Int): Seq[Double] = Seq(16, 8, 0).map(s => (c >> s & 255).toDouble)
 
   /** colour (1/4 + 3/4 max(0, n.l)); full colour in a scene without light. */
-  private def shadeSphere(motion: RayMotion, i: Int, d: V, b: BigInt, q: BigInt): Seq[Double] = {
+  private def shadeSphere(motion: RayMotion, i: Int, e: V, d: V, b: BigInt, q: BigInt): Seq[Double] = {
     val color = split(scene.spheres(i).color)
     scene.light.fold(color) { p =>
       val t      = (b.toDouble - scala.math.sqrt(q.toDouble)) / dot(d, d).toDouble
-      val hit    = (0 to 2).map(a => camera.eye(a) + t * d(a).toDouble)
+      val hit    = (0 to 2).map(a => e(a).toDouble + t * d(a).toDouble)
       val n      = (0 to 2).map(a => (hit(a) - motion.spheres(i)(a)) / scene.spheres(i).radius)
       val l      = (0 to 2).map(a => p(a) - hit(a))
       val length = scala.math.sqrt(l.map(x => x * x).sum)
