@@ -64,6 +64,10 @@ simulator() {
 prepare() {
   case " $1 " in
     *" --help "*) ;;
+    " chart "* | " fit "* | " mutate "*)
+      simulator
+      python3 -c 'import ensurepip, venv' 2>/dev/null || install python3 python3-venv
+      ;;
     " bitstream "*)
       python3 -c 'import ensurepip, venv' 2>/dev/null || install python3 python3-venv
       want 'command -v icetime >/dev/null && [ -e /usr/share/fpga-icestorm/chipdb/chipdb-5k.txt ]' \

@@ -76,8 +76,8 @@ object ChartCommand extends CommandLine {
         "name"      -> c.name,
         "costAxis"  -> c.costAxis,
         "errorAxis" -> c.errorAxis,
-        "points"    -> c.points.map(p =>
-          ujson.Obj(
+        "points"    -> c.points.map { p =>
+          val point = ujson.Obj(
             "method"  -> p.method,
             "setting" -> p.setting,
             "cost"    -> p.cost,
@@ -86,7 +86,9 @@ object ChartCommand extends CommandLine {
             "peer"    -> c.peer.contains(p),
             "front"   -> c.front.contains(p)
           )
-        )
+          for (unit <- p.hardware; (figure, Some(value)) <- unit.figures) point(figure) = value
+          point
+        }
       )
     }
   )

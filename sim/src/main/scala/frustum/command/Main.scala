@@ -20,7 +20,8 @@ object Main {
       BudgetsCommand,
       ChartCommand,
       StabilityCommand,
-      FitCommand
+      FitCommand,
+      MutateCommand
     )
 
   def main(args: Array[String]): Unit = sys.exit(run(args.toSeq))

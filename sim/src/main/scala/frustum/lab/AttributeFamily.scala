@@ -25,18 +25,13 @@ object AttributeFamily extends ChartFamily {
   }
 
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
-    val cost: Int => Double = costs match {
-      case Some(c) => n => {
-          val unit = c(s"interpolator without $n bits")(Interpolator(
-            RasterConfig(formats = PlaneFormats(coordinate = n)),
-            slots = 6
-          ))
-          (unit.luts + unit.flipFlops).toDouble
-        }
-      case None => n => 32.0 - n
-    }
-    val points = for (scene <- scenes; n <- dropped)
-      yield ChartPoint(scene, s"${32 - n} bits", cost(n), wrongPercent(scene, n))
+    def unit(n: Int) = costs.map(_.timed(s"interpolator without $n bits")(Interpolator(
+      RasterConfig(formats = PlaneFormats(coordinate = n)),
+      slots = 6
+    )))
+    val units  = dropped.map(n => n -> unit(n))
+    val points = for (scene <- scenes; (n, unit) <- units)
+      yield ChartPoint(scene, s"${32 - n} bits", unit.fold(32.0 - n)(_.cells), wrongPercent(scene, n), unit)
     Seq(Chart(
       "attribute-bits",
       "Bits of the planes of s/w, t/w and 1/w",

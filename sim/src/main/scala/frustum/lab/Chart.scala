@@ -4,7 +4,7 @@ import frustum.OutputFile
 import org.knowm.xchart.BitmapEncoder.BitmapFormat
 import org.knowm.xchart.XYSeries.XYSeriesRenderStyle
 import org.knowm.xchart.style.markers.SeriesMarkers
-import org.knowm.xchart.{BitmapEncoder, XYChart, XYChartBuilder}
+import org.knowm.xchart.{AnnotationText, BitmapEncoder, XYChart, XYChartBuilder}
 import java.nio.file.{Files, Path}
 
 /** A method at one setting.
@@ -12,8 +12,15 @@ import java.nio.file.{Files, Path}
   * @param method the line it belongs to
   * @param setting what tells it from the others on the line
   * @param cost,error in the units of the chart's axes; less is better
+  * @param hardware what synthesis makes of it, and its clock, where that was wanted
   */
-final case class ChartPoint(method: String, setting: String, cost: Double, error: Double)
+final case class ChartPoint(
+    method: String,
+    setting: String,
+    cost: Double,
+    error: Double,
+    hardware: Option[UnitCost] = None
+)
 
 /** Error against cost.
   *
@@ -48,10 +55,12 @@ final case class Chart(
         p.setting,
         p.cost.toString,
         p.error.toString,
-        marks.filter(_._1).map(_._2).mkString(" ")
+        marks.filter(_._1).map(_._2).mkString(" "),
+        p.hardware.fold(",,,,")(_.figures.map(_._2.fold("")(v => BigDecimal(v).toString)).mkString(","))
       ).mkString(",")
     }
-    (s"method,setting,$costAxis,$errorAxis,marks" +: rows).mkString("", "\n", "\n")
+    val head = s"method,setting,$costAxis,$errorAxis,marks,${UnitCost.names.mkString(",")}"
+    (head +: rows).mkString("", "\n", "\n")
   }
 
   /** Writes `<name>.png` and `<name>.csv`. */
@@ -85,6 +94,8 @@ final case class Chart(
       series.setMarker(marker).setMarkerColor(java.awt.Color.RED)
       series.setXYSeriesRenderStyle(XYSeriesRenderStyle.Scatter)
     }
+    for (p <- points; mhz <- p.hardware.flatMap(_.clockMHz))
+      chart.addAnnotation(new AnnotationText(f"$mhz%.0f MHz", p.cost, p.error.max(floor), false))
     chart.getStyler.setMarkerSize(9)
     chart
   }

@@ -15,11 +15,15 @@ object ChartFamily {
       AreaFamily,
       RootFamily,
       SpanFamily,
+      AccumulationFamily,
+      TileFamily,
       AttributeFamily,
       DepthFamily,
       SubpixelFamily,
       SwimFamily,
+      FilterFamily,
       ColorFamily,
+      SphereFamily,
       LeapFamily,
       DirectionFamily
     )

@@ -37,20 +37,18 @@ object ColorFamily extends ChartFamily {
   }
 
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
-    def points(cost: (ColorFormat, Boolean) => Double) = for (dither <- Seq(true, false); format <- formats)
-      yield ChartPoint(
-        if (dither) "ordered dither" else "cut",
-        format.name,
-        cost(format, dither),
-        error(format, dither)
-      )
+    def points(cost: (ColorFormat, Boolean) => (Double, Option[UnitCost])) =
+      for (dither <- Seq(true, false); format <- formats) yield {
+        val (cells, unit) = cost(format, dither)
+        ChartPoint(if (dither) "ordered dither" else "cut", format.name, cells, error(format, dither), unit)
+      }
     def marked(points: Seq[ChartPoint], method: String, format: ColorFormat) =
       points.find(p => p.method == method && p.setting == format.name)
-    val bits  = points((format, _) => format.bits)
+    val bits  = points((format, _) => (format.bits.toDouble, None))
     val cells = costs.map { c =>
-      points((format, dither) =>
-        if (dither) c(s"ordered dither to ${format.name}")(frustum.display.OrderedDither(format)).luts else 0
-      )
+      def unit(format: ColorFormat) =
+        c.timed(s"ordered dither to ${format.name}")(frustum.display.OrderedDither(format))
+      points((format, dither) => if (dither) { val u = unit(format); (u.luts.toDouble, Some(u)) } else (0.0, None))
     }
     Chart(
       "colour-bits",

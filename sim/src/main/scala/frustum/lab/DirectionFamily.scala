@@ -40,18 +40,11 @@ object DirectionFamily extends ChartFamily {
   }
 
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
-    val cost: Int => Double = costs match {
-      case Some(c) => n => {
-          val unit = c(s"ray set-up with slopes of $n bits")(frustum.voxel.RaySetup(
-            VoxelConfig(slopeBits = n),
-            Tech.Ice40
-          ))
-          (unit.luts + unit.flipFlops).toDouble
-        }
-      case None => _.toDouble
+    val points = for (n <- bits) yield {
+      val unit =
+        costs.map(_.timed(s"ray set-up with slopes of $n bits")(frustum.voxel.RaySetup(VoxelConfig(slopeBits = n), Tech.Ice40)))
+      ChartPoint("reciprocal by table and line", s"$n bits", unit.fold(n.toDouble)(_.cells), error(n), unit)
     }
-    val points =
-      for (n <- bits) yield ChartPoint("reciprocal by table and line", s"$n bits", cost(n), error(n))
     Seq(Chart(
       "directions",
       "Directions of the voxel world's rays, 320 x 240, focal length 225",

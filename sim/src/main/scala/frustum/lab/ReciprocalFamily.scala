@@ -1,7 +1,11 @@
 package frustum.lab
 
+import frustum.blackbox.Tech
+import frustum.model
 import frustum.spec.ReciprocalTable
+import frustum.texture
 import scala.math.{floor, log, round}
+import scala.util.Random
 
 /** Reciprocals of a mantissa in [1, 2): the heart of the perspective divide and of the voxel world's slopes.
   *
@@ -52,7 +56,49 @@ object ReciprocalFamily extends ChartFamily {
   /** How many correct bits an approximation has. */
   def bitsOf(error: Double): Double = -log(error) / log(2)
 
-  def charts(costs: Option[UnitCosts]): Seq[Chart] = {
+  /** Greatest error in texels of 128, of coordinates within a repeat of 0, anywhere in the range of q. */
+  def texelError(quotient: (Int, Int) => Double): Double = {
+    val random = new Random(1)
+    Seq.fill(100000) {
+      val q = (1 << 30 | random.nextInt(1 << 30)) >> random.nextInt(15)
+      val s = ((random.nextDouble() * 2 - 1) * q / 256).toInt
+      (quotient(s, q) - s.toDouble * 256 / q).abs * 128
+    }.max
+  }
+
+  /** What divides, and how large and fast it is. */
+  private def dividers(costs: UnitCosts): Chart = {
+    val long = for (fraction <- Seq(8, 12, 17)) yield {
+      val unit = costs.timed(s"long division to $fraction bits")(new LongDivision(fraction))
+      val error = texelError((s, q) => LongDivision(s, q, fraction) / (1L << fraction).toDouble)
+      ChartPoint("long division, a row a bit", s"$fraction fraction bits", unit.cells, error, Some(unit))
+    }
+    val unit = costs.timed("perspective divide")(texture.PerspectiveDivide(Tech.Ice40))
+    val ours = ChartPoint(
+      "table, line and multipliers",
+      "PerspectiveDivide",
+      unit.cells,
+      texelError((s, q) => model.texture.PerspectiveDivide(s, q) / 131072.0),
+      Some(unit)
+    )
+    Chart(
+      "perspective-dividers",
+      "Two coordinates divided a clock",
+      "LUT and flip-flops, iCE40",
+      "greatest error, texels of 128",
+      long :+ ours,
+      Some(ours),
+      None,
+      1e-6,
+      s"Ours has ${unit.multipliers} of the UP5K's 8 multipliers and ${unit.blockRams} of its 30 block RAMs as well; long division " +
+        "has none. Without MHz: it does not fit the UP5K.",
+      logCost = true
+    )
+  }
+
+  def charts(costs: Option[UnitCosts]): Seq[Chart] = reciprocals +: costs.map(dividers).toSeq
+
+  private def reciprocals: Chart = {
     val points = for {
       (method, make) <-
         Seq("table" -> table _, "table and line" -> linear _, "table and Newton step" -> newton _)
@@ -67,7 +113,7 @@ object ReciprocalFamily extends ChartFamily {
       (1 << ReciprocalTable.IndexBits) * (ReciprocalTable.BaseBits + ReciprocalTable.SlopeBits) / 1024.0,
       error(f => 1 - ReciprocalTable(floor(f * (1 << 20)).toInt) / 131072.0)
     )
-    Seq(Chart(
+    Chart(
       "perspective-reciprocal",
       "Reciprocal of 1/w",
       "table, kbit",
@@ -79,6 +125,6 @@ object ReciprocalFamily extends ChartFamily {
       "A line costs one multiplier, a Newton step two in a row and so two multipliers' latency. A relative error e moves a " +
         "texel coordinate of n texels by n e.",
       logCost = true
-    ))
+    )
   }
 }

@@ -73,6 +73,41 @@ class ChartTest extends AnyFunSuite {
     assert(swims.last.most < 0.25, swims)
   }
 
+  test("accumulation drifts with the pixels it runs over, by half a unit each at most; a bit more halves it") {
+    for (fraction <- Seq(8, 16)) {
+      val drift = AccumulationFamily.error(fraction, AccumulationFamily.Screen) * (1 << fraction)
+      assert(drift > 120 && drift <= 160.5, s"$fraction bits: $drift units")
+      val tile = AccumulationFamily.error(fraction, 16) * (1 << fraction)
+      assert(tile > 6 && tile <= 8.5, s"$fraction bits: $tile units")
+    }
+  }
+
+  test("filter: a weight's bit halves the error, and cutting costs one") {
+    for (bits <- 1 to 6) {
+      val ratio = FilterFamily.error(bits, rounded = true) / FilterFamily.error(bits + 1, rounded = true)
+      assert(ratio > 1.8 && ratio < 2.2, s"$bits bits")
+      assert(FilterFamily.error(bits + 1, rounded = false) / FilterFamily.error(bits, rounded = true) > 0.9, s"$bits bits")
+    }
+  }
+
+  test("spheres: a discriminant needs far more bits than the picture; whole numbers have none wrong") {
+    val float = Seq(12, 16, 20).map(SphereFamily.floatWrong)
+    assert(float == float.sorted.reverse && float.head > 1 && float.last < 0.5, float)
+    assert(SphereFamily.floatWrong(53) == 0)
+    assert(SphereFamily.unitWrong(8) > SphereFamily.unitWrong(16))
+  }
+
+  test("depth: 1/w without regard to the far plane is OpenGL's z with the far plane far away") {
+    val bits = DepthFamily.charts(None).find(_.name == "depth-bits").get
+    def at(method: String) = series(bits, method)(4)
+    assert((at("1/w, without regard to the far plane") / at("z of OpenGL, linear on the screen") - 1).abs < 0.25)
+  }
+
+  test("tiles: larger ones make more texels wrong") {
+    val wrong = Seq((4, 4), (5, 4), (5, 5)).map { case (w, h) => TileFamily.wrongPercent("floor", w, h) }
+    assert(wrong == wrong.sorted && wrong.last > wrong.head, wrong)
+  }
+
   test("the front holds what nothing beats, and no more") {
     val Seq(a, b, c, d) = Seq((1, 9), (2, 5), (3, 5), (4, 1)).map { case (cost, error) =>
       ChartPoint("m", s"$cost", cost, error)

@@ -39,13 +39,17 @@ object Nextpnr {
     val log               = directory.resolve(s"$run.nextpnr.log")
     val said              = Files.readString(log)
     val (used, available) = utilisation(said)
-    val tooBig            = used.exists { case (kind, n) => n > available(kind) }
-    val unplaced          = said.contains("no Bels remaining of type") ||
-      said.contains("no BELs remaining to implement cell type")
-    if (code != 0 && !tooBig && !unplaced)
+    if (code != 0 && !tooBig(said))
       throw FlowFault(s"nextpnr failed on ${top.name}: ${Tool.faults(log)} ($log)")
     val clocks = if (code == 0) clockFigures(ujson.read(Files.readString(report))) else Map.empty[String, (Double, Double)]
     Placement(seed, code == 0, used, available, clocks)
+  }
+
+  /** Whether a log says that the design does not fit. */
+  def tooBig(log: String): Boolean = {
+    val (used, available) = utilisation(log)
+    used.exists { case (kind, n) => n > available(kind) } || log.contains("no Bels remaining of type") ||
+    log.contains("no BELs remaining to implement cell type")
   }
 
   /** The table "Device utilisation" of nextpnr's log, which is there even when the design does not fit. */

@@ -1,0 +1,57 @@
+package frustum.mutation
+
+import frustum.mutation.MutationPlan.values
+import frustum.raster.EdgeWalker
+import frustum.spec.RasterConfig
+import scala.util.Random
+
+/** The edge walker, as `EdgeWalkerTest` has it: triangles of all families, loaded in random clocks. */
+object EdgeWalkerPlan {
+  private val config = RasterConfig()
+
+  def apply(seed: Long): MutationPlan = {
+    val r    = new Random(seed)
+    val jobs = new EdgeJobs(config, r).families.flatMap { case (_, make) => make() }
+    MutationPlan(
+      "EdgeWalker",
+      () => EdgeWalker(config),
+      jobs.flatMap(steps(_, r)).toIndexedSeq,
+      waitsFor = Some("io_idle"),
+      stalled = Seq("io_up_ready"),
+      event = Some((
+        Seq("io_up_valid", "io_up_ready"),
+        Seq("io_up_payload_end", "io_up_payload_y", "io_up_payload_first", "io_up_payload_last")
+      )),
+      events = jobs.flatMap { job =>
+        job.spans.map(s => Seq(0, s.y, s.first, s.last).map(v => Some(BigInt(v)))) :+ Seq(Some(BigInt(1)), None, None, None)
+      }.toIndexedSeq
+    )
+  }
+
+  private def steps(job: EdgeJob, r: Random): Seq[MutationStep] = {
+    val (stepAt, edgeAt) = EdgeJobs.times(r)
+    val size             = values("io_lastColumn" -> job.lastColumn, "io_lastRow" -> job.lastRow)
+    val load = (0 to edgeAt.last).map { clock =>
+      val (step, edge) = (stepAt.indexOf(clock), edgeAt.indexOf(clock))
+      val slope =
+        if (step < 0) r.between(-65535, 65536) else (if (step % 2 == 0) job.stepX else job.stepY)(step / 2)
+      MutationStep(
+        size ++ values(
+          "io_step_valid"         -> (if (step < 0) 0 else 1),
+          "io_step_payload"       -> slope,
+          "io_edge_valid"         -> (if (edge < 0) 0 else 1),
+          "io_edge_payload_index" -> edge.max(0),
+          "io_edge_payload_value" -> (if (edge < 0) r.nextInt() else job.values(edge))
+        )
+      )
+    }
+    // The next triangle may belong to a tile at another side of the screen.
+    val other = values("io_lastColumn" -> r.nextInt(config.tileWidth), "io_lastRow" -> r.nextInt(config.tileHeight))
+    val rest  = Seq.fill(1 + r.nextInt(4))(MutationStep(size))
+    load ++ rest ++ Seq(
+      MutationStep(size ++ values("io_start" -> 1)),
+      MutationStep(other),
+      MutationStep(other, waits = true)
+    )
+  }
+}

@@ -1,0 +1,11 @@
+package frustum.mutation
+
+/** The units that are put to the test, by what they are called on the command line. */
+object MutationPlans {
+  val all: Seq[(String, Long => MutationPlan)] = Seq(
+    "edge-walker"        -> EdgeWalkerPlan.apply,
+    "perspective-divide" -> PerspectiveDividePlan.apply,
+    "depth-test"         -> DepthTestPlan.apply,
+    "blend"              -> BlendPlan.apply
+  )
+}
