@@ -15,7 +15,7 @@ object SphereFamily extends ChartFamily {
 
   private val mode   = VideoMode.Vga640x480
   private val scene  = PongScene.room(mode.width, mode.height)
-  private val camera = scene.camera
+  private val camera  = scene.camera.low
   private val sphere = scene.spheres.head
 
   private lazy val centres: Seq[IntVector] = {

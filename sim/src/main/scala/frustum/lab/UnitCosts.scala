@@ -30,7 +30,8 @@ object UnitCost {
   val names: Seq[String] = Seq("luts", "flipFlops", "multipliers", "blockRams", "clockMHz")
 }
 
-/** Synthesis, place and route of units alone, kept in `.cache/chart` by a digest of their Verilog.
+/** Synthesis, place and route of units alone, kept in `.cache/chart` by a digest of their Verilog and of
+  * yosys' pass.
   *
   * @param say told before each run
   */
@@ -95,7 +96,7 @@ final class UnitCosts(say: String => Unit) {
   private def kept(top: String)(unit: => Component)(measure: => ujson.Obj): ujson.Value = {
     UnitVerilog.write(work, top)(unit)
     val verilog = Files.readAllBytes(work.resolve(s"$top.v"))
-    val digest  = MessageDigest.getInstance("SHA-256").digest(verilog).take(12).map("%02x".format(_)).mkString
+    val digest  = MessageDigest.getInstance("SHA-256").digest(verilog ++ Ice40Flow.Synthesis.getBytes).take(12).map("%02x".format(_)).mkString
     val file    = cache.resolve(s"$digest.json")
     if (!Files.exists(file)) OutputFile.writeText(file, ujson.write(measure))
     ujson.read(Files.readString(file))

@@ -1,5 +1,6 @@
 package frustum.mutation
 
+import frustum.blackbox.Tech
 import frustum.fragment.Blend
 import frustum.model
 import frustum.spec.RasterConfig
@@ -58,7 +59,7 @@ object BlendPlan {
       for (clock <- start until t)
         time.drive(clock, "io_state_blend" -> (if (blend) 1L else 0L), "io_clearColor" -> clear.toLong)
     }
-    MutationPlan("Blend", () => Blend(config), time.steps)
+    MutationPlan("Blend", () => Blend(config, Tech.Generic), time.steps)
   }
 
   private def payload(at: Int, bank: Int, color: Int, a: Int, mark: Boolean): Map[String, Long] = Map(
