@@ -12,15 +12,6 @@ case class ScratchWrite() extends Bundle {
   val data = SInt(32 bits)
 }
 
-/** What [[frustum.spec.FetchProgram]] takes beside the store's words. */
-case class FetchValues(config: RasterConfig) extends Bundle {
-  val tileX, tileY        = UInt(5 bits)
-  val lastColumn, coveredX = UInt(config.tileLog2Width bits)
-  val lastRow, coveredY    = UInt(config.tileLog2Height bits)
-  val area  = UInt(30 bits)
-  val place = UInt(5 bits) // the power is 2^(30 - place)
-}
-
 /** A row of the table, as [[frustum.spec.FetchProgram]] encodes it. */
 case class FetchRow() extends Bundle {
   val target, origin   = UInt(SetupWords.CodeBits bits)
@@ -28,17 +19,6 @@ case class FetchRow() extends Bundle {
   val word             = UInt(3 bits)
   val upper, take      = Bool()
   val lastOfWord, last = Bool()
-}
-
-/** Access to the rows of the table that [[frustum.spec.FetchProgram]] leaves free: 10 bits each, readable while `free`,
-  * one clock after `address`.
-  */
-case class SpareRows(rows: Int) extends Bundle with IMasterSlave {
-  val free    = Bool()
-  val address = UInt(log2Up(rows) bits)
-  val data    = UInt(10 bits)
-  val write   = Flow(new Bundle { val address = UInt(log2Up(rows) bits); val data = UInt(10 bits) })
-  override def asMaster(): Unit = { out(address); in(free, data); master(write) }
 }
 
 /** Writes words into the set-up engine's scratch memory: with `start`, a triangle's three vertices from the store, or,
