@@ -1,8 +1,7 @@
 package frustum.display
 
 import frustum.frame.ResolvedPixel
-import frustum.spec.Panel
-import frustum.spec.RasterConfig
+import frustum.spec.{Panel, ScreenTiles}
 import spinal.core._
 import spinal.lib._
 
@@ -18,7 +17,7 @@ import spinal.lib._
   * @param fast         shortens the pauses by this factor, for simulation
   */
 case class SpiDisplay(
-    config: RasterConfig,
+    config: ScreenTiles,
     panel: Panel,
     clockHz: Long,
     clocksPerBit: Int = 2,

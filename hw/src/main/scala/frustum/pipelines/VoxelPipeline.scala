@@ -35,10 +35,10 @@ case class VoxelPipeline(
   }
   val rays      = PixelRays(c)
   val setup     = RaySetup(c, tech)
-  val marcher   = Marcher(c, kinds)
+  val marcher   = Marcher(c, kinds, tech)
   val memory    = WorldMemory(c)
-  val texels    = FaceTexel(c, Marcher.Slots)
-  val composite = LayerComposite(c, kinds, textures, Marcher.Slots)
+  val texels    = FaceTexel(c, MarcherStages.Fast.slots)
+  val composite = LayerComposite(c, kinds, textures, MarcherStages.Fast.slots)
 
   val starting = io.start && !io.busy
   val camera   = RegNextWhen(io.camera, starting)
