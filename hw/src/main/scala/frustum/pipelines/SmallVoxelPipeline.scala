@@ -25,6 +25,7 @@ case class SmallVoxelPipeline(
     reach: Int = VoxelConfig.Reach
 ) extends Component {
   import SmallVoxelPipeline._
+  fault(c).foreach(fault => throw new IllegalArgumentException(fault))
   val io = new Bundle {
     val start     = in Bool ()
     val highlight = in Bool ()
@@ -100,6 +101,12 @@ case class SmallVoxelPipeline(
 }
 
 object SmallVoxelPipeline {
+
+  /** What it cannot be built for and what to do about it, or None. */
+  def fault(c: VoxelConfig): Option[String] =
+    if (c.leaps.wordBits > 8) Some(s"leaps that take words of ${c.leaps.wordBits} bits do not fit two into 16; use up-down")
+    else if (c.farSquared - c.fogSquared >= (1 << 16)) Some(s"a view distance of ${c.distance} is too far for a multiplier of 16 bits; at most 24")
+    else None
 
   /** Edits that wait while a frame is drawn, and how many of them are patient. */
   val Edits   = 256

@@ -13,10 +13,6 @@ import spinal.lib._
   */
 case class SerialComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelTextures, slots: Int, tech: Tech)
     extends Component {
-  require(
-    c.farSquared - c.fogSquared < (1 << 16),
-    s"a view distance of ${c.distance} blocks is too far for a multiplier of 16 bits; at most 24"
-  )
   val io = new Bundle {
     val pointedAt = in(PointedAt(c))
     val up        = slave(Stream(TexelHit(c, slots)))

@@ -6,7 +6,7 @@ import frustum.spec.{ReciprocalTable, VoxelCamera, VoxelConfig}
 import spinal.core._
 import spinal.lib._
 
-/** What [[PixelRays]] and [[RaySetup]] do, with one adder of directions, one multiplier and directions kept in block RAM: a ray in 14 clocks.
+/** What [[PixelRays]] and [[RaySetup]] do, with one adder of directions, one multiplier and directions kept in block RAM: a ray in 16 clocks.
   *
   * After `start` the camera must hold until `busy` falls. The ray that picks goes first; the others wait until `picked`, and each of them
   * until there is `room` for its pixel, whose number, modulo 512, goes on from frame to frame. The models are those of the two units.
@@ -26,7 +26,7 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
   }
   private val width = VoxelCamera.DirectionWidth
 
-  /** Clock within a ray: 0 to 3 its direction, to 8 the reciprocal of its greatest component, to 10 the slopes, to 13 where it starts. */
+  /** Clock within a ray: 0 to 4 its direction, to 7 the reciprocal of its greatest component, to 12 the slopes, to 15 where it starts. */
   val clock = RegInit(U(0, 4 bits))
 
   /** Which ray is made. */
@@ -36,7 +36,7 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
     val row                        = Reg(UInt(log2Up(c.height) bits))
     val pixel                      = RegInit(U(0, PixelOrder.TagBits bits))
     val first                      = column === 0 && !picking // of its row
-    val done                       = clock === 7              // its direction is not needed any more
+    val done                       = clock === 8              // its direction is not needed any more
     io.begun := done
     io.busy  := picking || waiting || scanning
     io.pixel := pixel
@@ -72,10 +72,10 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
   val free  = !downValid || io.down.ready
   val runs  = clock.mux(
     0       -> (scan.picking || scan.scanning && io.room),
-    4       -> free,
+    5       -> free,
     default -> True
   )
-  when(runs)(clock := Mux(clock === 13, U(0), clock + 1))
+  when(runs)(clock := clock + 1)
   private def during(n: Int) = clock === n && runs
 
   /** Directions, as they were for this row's first pixel (0 to 2) and as they are (4 to 6). */
@@ -83,14 +83,14 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
   val fast       = Reg(UInt(2 bits))
   val mirrored   = Reg(Bits(3 bits))
   private def axis(i: Int) = ray.fast.mux(0 -> U(i % 3, 2 bits), 1 -> U((i + 1) % 3, 2 bits), default -> U((i + 2) % 3, 2 bits))
-  val stepping   = clock < 4
+  val stepping   = clock < 5
   val from       = Mux(stepping, scan.first || scan.column === 1 && !scan.picking, scan.first)
-  val wanted     = clock.mux(5 -> axis(1), 6 -> axis(2), default -> clock(1 downto 0))
+  val wanted     = clock.mux(6 -> axis(1), 7 -> axis(2), default -> clock(1 downto 0))
   val before     = directions.readSync(!from ## wanted.asBits asUInt)
   io.index := clock.mux(
-    8       -> axis(0).resize(4),
-    11      -> axis(1).resize(4),
-    12      -> axis(2).resize(4),
+    10      -> axis(0).resize(4),
+    13      -> axis(1).resize(4),
+    14      -> axis(2).resize(4),
     default -> (Mux(
       scan.picking,
       U(Look, 4 bits),
@@ -98,21 +98,23 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
     ) + clock(1 downto 0))
   )
 
+  /** A component at a time, from the clock after it was read: its magnitude, and which was the greatest so far. */
   val direction = new Area {
-    val begins    = scan.picking || scan.first && scan.row === 0
-    val sum       = io.value + Mux(begins, S(0, width bits), before)
-    val k         = clock(1 downto 0) - 1
-    val magnitude = Mux(stepping, sum, before).abs.resize(width - 1) // of what was read
+    val begins    = RegNext(scan.picking || scan.first && scan.row === 0)
+    val read      = RegNext(Mux(stepping, io.value + Mux(begins, S(0, width bits), before), before))
+    val magnitude = read.abs.resize(width - 1)
     val major     = Reg(UInt(width - 1 bits))
-    directions.write(!scan.first ## k.asBits asUInt, sum, stepping && clock =/= 0)
-    when(stepping && clock =/= 0) {
-      mirrored(k) := sum.msb
-      when(clock === 1 || magnitude > major) {
+    val tells     = clock >= 2 && clock <= 4
+    val k         = (clock - 2)(1 downto 0)
+    directions.write(!scan.first ## k.asBits asUInt, read, tells)
+    when(tells) {
+      mirrored(k) := read.msb
+      when(clock === 2 || magnitude > major) {
         major := magnitude
         fast  := k
       }
     }
-    when(during(4)) {
+    when(during(5)) {
       ray.fast     := fast
       ray.mirrored := mirrored
       ray.pick     := scan.picking
@@ -122,7 +124,7 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
 
   val multiplier = Multiplier16(tech, signedA = false, signedB = false, add = true, hold = true)
   multiplier.io.enable := True
-  multiplier.io.holdA  := clock === 8
+  multiplier.io.holdA  := clock === 9 || clock === 10
   val product = multiplier.io.product
 
   val slopes = new Area {
@@ -135,24 +137,24 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
     val word     = lines.readSync(f(19 downto 12))
     val scaled   = Vec(Reg(UInt(16 bits)), 2)
     val minor    = direction.magnitude
-    when(clock === 6 || clock === 7) {
+    when(clock === 8 || clock === 9) {
       scaled(0) := scaled(1)
       scaled(1) := Mux(half, minor(21 downto 6), minor(22 downto 7))
     }
     val quotient = Mux(clock(0), scaled(0), scaled(1)) - product(31 downto 17).asUInt
     val slope    = (Mux(quotient.msb, U(0x7fff, 15 bits), quotient(14 downto 0)) >> 15 - c.slopeBits)
-    when(clock === 9)(ray.slopes(0) := slope)
-    when(clock === 10)(ray.slopes(1) := slope)
+    when(clock === 11)(ray.slopes(0) := slope)
+    when(clock === 12)(ray.slopes(1) := slope)
   }
 
   val entry = new Area {
-    val which  = clock(0).asUInt // the second of the others at 11 and 13
-    val k      = clock.mux(9 -> axis(0), 12 -> axis(1), default -> axis(2))
+    val which  = clock(0).asUInt // the second of the others at 13 and 15
+    val k      = clock.mux(11 -> axis(0), 14 -> axis(1), default -> axis(2))
     val value  = io.value.resize(c.blockBits + c.eyeBits)
     val size   = k.mux((0 to 2).map(i => i -> S(c.size.axes(i) << c.eyeBits, c.blockBits + c.eyeBits bits)) :+ (default -> S(0, c.blockBits + c.eyeBits bits)): _*)
     val place  = Mux(ray.mirrored(k), size - value, value)
     val behind = Reg(UInt(c.eyeBits bits))
-    when(clock === 9) {
+    when(clock === 11) {
       plane  := place >> c.eyeBits
       behind := place(c.eyeBits - 1 downto 0).asUInt
     }
@@ -160,26 +162,26 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
     for (i <- 0 to 1) ray.low(i) := after(i) && ray.slopes(i) =/= 0
     val position = (place ## B(0, c.slopeBits bits)).asSInt -
       (product(c.fractionBits downto 0).asUInt + ray.low(which).asUInt).resize(c.fractionBits + 2).asSInt
-    for (i <- 0 to 1) when(clock === 12 + i) {
+    for (i <- 0 to 1) when(clock === 14 + i) {
       at(i)   := position
       past(i) := (position >> c.fractionBits) =/= (place >> c.eyeBits)
     }
-    when(during(13))(downValid := True)
+    when(during(15))(downValid := True)
   }
 
   multiplier.io.a := clock.mux(
-    5       -> slopes.word(12 downto 0).resize(16),
-    7       -> product(31 downto 16),
-    10      -> ray.slopes(0).asBits.resize(16),
+    6       -> slopes.word(12 downto 0).resize(16),
+    8       -> product(31 downto 16),
+    12      -> ray.slopes(0).asBits.resize(16),
     default -> ray.slopes(1).asBits.resize(16)
   )
   multiplier.io.b := clock.mux(
-    5       -> slopes.f(11 downto 0).asBits.resize(16),
-    7       -> slopes.scaled(1).asBits,
-    8       -> slopes.scaled(1).asBits,
+    6       -> slopes.f(11 downto 0).asBits.resize(16),
+    9       -> slopes.scaled(1).asBits,
+    10      -> slopes.scaled(1).asBits,
     default -> entry.behind.asBits.resize(16)
   )
-  multiplier.io.addend := Mux(clock === 5, slopes.word(31 downto 13) ## B(0, 13 bits), B(0, 32 bits))
+  multiplier.io.addend := Mux(clock === 6, slopes.word(31 downto 13) ## B(0, 13 bits), B(0, 32 bits))
 
   val end = new Area {
     val steep = Vec((0 to 1).map(i => ray.slopes(i)(c.slopeBits - 1 downto c.slopeBits - 3)))

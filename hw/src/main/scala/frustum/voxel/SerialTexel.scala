@@ -98,9 +98,10 @@ case class SerialTexel(c: VoxelConfig, slots: Int, tech: Tech) extends Component
     val from     = Mux(hit.ray.mirrored(k), size - io.eye, io.eye) >> c.eyeBits - 4
     val block    = i.mux(0 -> hit.block(0), 1 -> hit.block(1), default -> hit.block(2))
     val t        = i.mux(0 -> texel(0), 1 -> texel(1), default -> texel(2))
-    val away     = Reg(UInt(c.blockBits + 5 bits))
+    val away     = Reg(SInt(c.blockBits + 5 bits))
     val far      = Reg(UInt(TexelHit.FarBits bits))
-    away := ((block @@ t).resize(c.blockBits + 5).asSInt - from.resize(c.blockBits + 5)).abs.resize(c.blockBits + 5)
+    away := (block @@ t).resize(c.blockBits + 5).asSInt - from.resize(c.blockBits + 5)
+    val length   = away.abs.resize(c.blockBits + 5)
     when(step === 4)(far := product.asUInt.resized)
     when(step === 5 || step === 6)(far := far + product.asUInt.resize(TexelHit.FarBits))
   }
@@ -108,12 +109,12 @@ case class SerialTexel(c: VoxelConfig, slots: Int, tech: Tech) extends Component
   multiplier.io.a := clock.mux(
     1       -> within(1),
     2       -> within(0),
-    default -> distance.away.resize(shift + 2).asSInt
+    default -> distance.length.resize(shift + 2).asSInt
   )
   multiplier.io.b := clock.mux(
     1       -> own.resize(16),
     2       -> other.resize(16),
-    default -> distance.away.resize(16)
+    default -> distance.length.resize(16)
   )
 
   val result = new Area {

@@ -9,7 +9,6 @@ import spinal.lib._
   * A read is not `granted` in a clock with a write.
   */
 case class SharedWorldMemory(c: VoxelConfig, tech: Tech) extends Component {
-  require(c.leaps.wordBits <= 8, s"words of ${c.leaps.wordBits} bits; two have to fit into 16")
   val io = new Bundle {
     val read    = slave(WorldReadBus(c))
     val granted = out Bool ()

@@ -3,7 +3,7 @@ package frustum.engine
 import frustum.spec.{VoxelAssets, VoxelCamera, VoxelConfig}
 import spinal.core.sim._
 
-/** Draws on a running [[SmallVoxelTestbed]]. To be made first thing in the simulation. Pictures are RGB565. */
+/** Draws on a running [[SmallVoxelTestbed]]. To be made first thing in the simulation. Pictures are 0xRRGGBB, of RGB565. */
 final class SmallVoxelSession(dut: SmallVoxelTestbed) {
   private val c = dut.c
   dut.io.start #= false
@@ -11,6 +11,7 @@ final class SmallVoxelSession(dut: SmallVoxelTestbed) {
   dut.io.camera.valid #= false
   dut.io.commit #= false
   dut.io.pace #= 0
+  dut.io.stalls #= false
   dut.io.highlight #= false
   dut.clockDomain.forkStimulus(EngineSim.Period)
   dut.clockDomain.waitSampling(300)
@@ -41,7 +42,11 @@ final class SmallVoxelSession(dut: SmallVoxelTestbed) {
     dut.clockDomain.waitSampling()
   }
 
-  def start(highlight: Boolean, pace: Int = 0): Unit = {
+  /** @param pace clocks after a pixel until the next is taken, at least
+    * @param stalls now and then twice as many
+    */
+  def start(highlight: Boolean, pace: Int = 0, stalls: Boolean = false): Unit = {
+    dut.io.stalls #= stalls
     dut.io.highlight #= highlight
     dut.io.pace #= pace
     dut.io.start #= true
@@ -61,13 +66,13 @@ final class SmallVoxelSession(dut: SmallVoxelTestbed) {
       dut.clockDomain.waitSampling()
       now = dut.io.pixels.toLong
     }
-    val picture = Array.tabulate(c.pixels)(i => dut.picture.getBigInt(i.toLong).toInt)
+    val picture = Array.tabulate(c.pixels)(i => SmallVoxelSession.rgb888(dut.picture.getBigInt(i.toLong).toInt))
     VoxelFrame(picture, dut.io.clocks.toLong, dut.io.steps.toLong)
   }
 
-  def frame(camera: VoxelCamera, highlight: Boolean, pace: Int = 0): VoxelFrame = {
+  def frame(camera: VoxelCamera, highlight: Boolean, pace: Int = 0, stalls: Boolean = false): VoxelFrame = {
     this.camera(camera)
-    start(highlight, pace)
+    start(highlight, pace, stalls)
     finish()
   }
 
@@ -81,6 +86,13 @@ object SmallVoxelSession {
 
   /** What is left of 0xRRGGBB. */
   def rgb565(rgb: Int): Int = rgb >> 8 & 0xf800 | rgb >> 5 & 0x7e0 | rgb >> 3 & 0x1f
+
+  /** As displays do: the upper bits again below. */
+  def rgb888(color: Int): Int = {
+    val (r, g, b) = (color >> 11, color >> 5 & 63, color & 31)
+    (r << 3 | r >> 2) << 16 | (g << 2 | g >> 4) << 8 | b << 3 | b >> 2
+  }
+  def shown(rgb: Int): Int = rgb888(rgb565(rgb))
 
   def compile(c: VoxelConfig, assets: VoxelAssets): SimCompiled[SmallVoxelTestbed] =
     EngineSim.compile(s"SmallVoxel_${c.size}_${c.width}x${c.height}_${(c, assets).hashCode.toHexString}") {

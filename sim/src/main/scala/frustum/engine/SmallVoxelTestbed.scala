@@ -9,7 +9,7 @@ import spinal.lib._
 
 /** The small voxel pipeline with a picture to draw into and counters, so that the JVM need not be woken while it draws.
   *
-  * `pace`: clocks from one pixel taken to the next at least, as a display's.
+  * `pace`: clocks after a pixel until the next is taken, as a display's; with `stalls` twice as many now and then.
   */
 case class SmallVoxelTestbed(c: VoxelConfig, assets: VoxelAssets) extends Component {
   val io = new Bundle {
@@ -19,6 +19,7 @@ case class SmallVoxelTestbed(c: VoxelConfig, assets: VoxelAssets) extends Compon
     val commit                = in Bool ()
     val edit                  = slave(Stream(WorldWrite(c)))
     val pace                  = in UInt (6 bits)
+    val stalls                = in Bool ()
     val busy                  = out Bool ()
     val pointedAt             = out(PointedAt(c))
     val clocks, steps, pixels = out(Reg(UInt(32 bits)) init 0) // since the start of the frame, until its last pixel is taken
@@ -39,11 +40,10 @@ case class SmallVoxelTestbed(c: VoxelConfig, assets: VoxelAssets) extends Compon
   random := random(14 downto 0) ## (random(15) ^ random(13) ^ random(12) ^ random(10))
   io.busy := drawing || pipeline.io.busy
 
-  /** Up to twice as long now and then. */
   val done = pipeline.io.pixels
   done.ready := rest === 0
   when(rest =/= 0)(rest := rest - 1)
-  when(done.fire)(rest := Mux(random(2 downto 0) === 0 && io.pace =/= 0, io.pace |<< 1, io.pace))
+  when(done.fire)(rest := Mux(random(2 downto 0) === 0 && io.stalls, io.pace |<< 1, io.pace))
   picture.write(io.pixels.resized, done.payload, done.fire)
   when(io.start && !io.busy) {
     drawing   := True

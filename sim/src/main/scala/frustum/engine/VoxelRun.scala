@@ -5,7 +5,7 @@ import frustum.judge.{Psnr, VoxelCounts, VoxelJudge}
 import frustum.model.pipelines.VoxelModel
 import frustum.reference.voxel.IdealVoxelPicture
 import frustum.scene.VoxelWorld
-import frustum.spec.{Blocks, VoxelAssets, VoxelConfig}
+import frustum.spec.{Blocks, VoxelAssets, VoxelCamera, VoxelConfig}
 
 /** A view as it was drawn: the engine's picture, the ideal one, and what was found. Pictures are 0xRRGGBB row by row.
   *
@@ -23,7 +23,7 @@ final case class VoxelDrawn(
   def squaredError: Double = Psnr.squaredError(picture, reference)
 }
 
-/** Draws views of a world.
+/** Draws views of a world: `hardware` is the large pipeline, `small` the one for the iCE40.
   *
   * @param highlight the face in the middle of the screen
   */
@@ -43,12 +43,23 @@ final class VoxelRun(
       EngineSim.run(VoxelSession.compile(config, assets), None, seed) { dut =>
         val session = new VoxelSession(dut)
         session.load(model.words)
-        for (view <- views) each(drawn(view, Some(session)))
+        for (view <- views) each(drawn(view, Some(session.frame(_, highlight))))
+      }
+    case "small" =>
+      EngineSim.run(SmallVoxelSession.compile(config, assets), None, seed) { dut =>
+        val session = new SmallVoxelSession(dut)
+        session.load(model.words)
+        for (view <- views) each(drawn(view, Some(session.frame(_, highlight)), SmallVoxelSession.shown))
       }
     case _ => for (view <- views) each(drawn(view, None))
   }
 
-  private def drawn(view: VoxelView, session: Option[VoxelSession]): VoxelDrawn = {
+  /** @param shown what the hardware's picture has of a colour */
+  private def drawn(
+      view: VoxelView,
+      hardware: Option[VoxelCamera => VoxelFrame],
+      shown: Int => Int = identity
+  ): VoxelDrawn = {
     val ideal = new IdealVoxelPicture(config, assets, world, view).picture()
     if (engine == "reference") VoxelDrawn(ideal, ideal, None, None, None)
     else {
@@ -56,8 +67,8 @@ final class VoxelRun(
       val chosen = if (highlight) model.pointedAt(camera, VoxelConfig.Reach) else None
       val pixels =
         for (j <- 0 until config.height; i <- 0 until config.width) yield model.pixel(camera, i, j, chosen)
-      val colors  = pixels.map(_.color).toArray
-      val frame   = session.map(_.frame(camera, highlight))
+      val colors  = pixels.map(p => shown(p.color)).toArray
+      val frame   = hardware.map(_(camera))
       val differs = frame.map(f => colors.indices.count(i => colors(i) != f.picture(i)).toLong)
       VoxelDrawn(
         frame.fold(colors)(_.picture),
@@ -71,5 +82,5 @@ final class VoxelRun(
 }
 
 object VoxelRun {
-  val Engines = Seq("hardware", "model", "reference")
+  val Engines = Seq("hardware", "small", "model", "reference")
 }

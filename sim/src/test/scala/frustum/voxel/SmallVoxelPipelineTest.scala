@@ -25,12 +25,12 @@ class SmallVoxelPipelineTest extends AnyFunSuite {
           val pixels    = for (j <- 0 until c.height; i <- 0 until c.width)
             yield model.pixel(camera, i, j, pointedAt.filter(_ => highlight))
           val pace  = Seq(0, 15, 31)(n % 3)
-          val frame = session.frame(camera, highlight, pace)
-          val wrong = pixels.indices.filter(i => SmallVoxelSession.rgb565(pixels(i).color) != frame.picture(i))
+          val frame = session.frame(camera, highlight, pace, stalls = n % 4 != 0)
+          val wrong = pixels.indices.filter(i => SmallVoxelSession.shown(pixels(i).color) != frame.picture(i))
           wrong.headOption.foreach { i =>
             fail(
-              f"seed $seed, $view: ${wrong.length} pixels wrong, the first is $i: ${frame.picture(i)}%04x, " +
-                f"should be ${SmallVoxelSession.rgb565(pixels(i).color)}%04x of ${pixels(i)}"
+              f"seed $seed, $view: ${wrong.length} pixels wrong, the first is $i: ${frame.picture(i)}%06x, " +
+                f"should be ${SmallVoxelSession.shown(pixels(i).color)}%06x of ${pixels(i)}"
             )
           }
           assert(session.pointedAt == pointedAt.map(f => (Seq(f.x, f.y, f.z), f.face)), s"$view")
