@@ -12,6 +12,7 @@ import spinal.lib.com.uart.{UartCtrl, UartCtrlInitConfig, UartParityType, UartSt
   * pixel as it is drawn. A frame is of one camera, and of one world unless one is being loaded.
   *
   * @param camera the one of the start
+  * @param clocksPerBit of the display's SCK
   * @param fast   shortens the display's pauses, for simulation
   */
 case class SmallVoxelConsole(
@@ -21,6 +22,7 @@ case class SmallVoxelConsole(
     panel: Panel,
     tech: Tech,
     baud: Int = 500000,
+    clocksPerBit: Int = 1,
     fast: Int = 1
 ) extends Component {
   val io = new Bundle {
@@ -33,7 +35,7 @@ case class SmallVoxelConsole(
   val uart     = UartCtrl(UartCtrlInitConfig(baud, 7, UartParityType.NONE, UartStopType.ONE), readonly = true)
   val host     = SerialHost(c, silence = (clockHz * VoxelHostCommand.SilenceMicros / 1000000).toInt)
   val pipeline = SmallVoxelPipeline(c, assets, camera, tech)
-  val display  = SpiDisplay(screen, panel, clockHz, fast = fast)
+  val display  = SpiDisplay(screen, panel, clockHz, clocksPerBit, fast, tech)
 
   /** The receiver looks eight times a bit. */
   val looks = clockHz.toDouble / baud / 8

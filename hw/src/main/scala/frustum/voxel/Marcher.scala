@@ -170,7 +170,9 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable, tech: Tech, stages: Marche
       fits(i)       := floor(node(FAR)(i)) - node(BLOCK)(i + 1) < node(REACH).resize(whole).asSInt
       crosses(i)    := !node(PLACE).past(i) && floor(node(FAR)(i)) =/= floor(node(PLACE).at(i))
     }
-    val before = Mux(node(RAY).fast =/= 1, node(CROSS)(0) <= node(CROSS)(1), node(CROSS)(0) < node(CROSS)(1))
+    // The first is before the second, or together with it and of an earlier axis: the carry of second - first - (0 or 1).
+    val ties   = node(RAY).fast =/= 1
+    val before = (((node(CROSS)(1) ## True).asUInt +^ (~node(CROSS)(0) ## ties).asUInt)).msb
     node(FITS)  := fits.asBits.andR
     node(FIRST) := crosses(0) && (!crosses(1) || before)
   }

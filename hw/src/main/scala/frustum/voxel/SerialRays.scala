@@ -6,7 +6,7 @@ import frustum.spec.{ReciprocalTable, VoxelCamera, VoxelConfig}
 import spinal.core._
 import spinal.lib._
 
-/** What [[PixelRays]] and [[RaySetup]] do, with one adder of directions, one multiplier and directions kept in block RAM: a ray in 16 clocks.
+/** What [[PixelRays]] and [[RaySetup]] do, with one adder of directions, one multiplier and directions kept in block RAM: a ray in 11 clocks.
   *
   * After `start` the camera must hold until `busy` falls. The ray that picks goes first; the others wait until `picked`, and each of them
   * until there is `room` for its pixel, whose number, modulo 512, goes on from frame to frame. The models are those of the two units.
@@ -26,8 +26,11 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
   }
   private val width = VoxelCamera.DirectionWidth
 
-  /** Clock within a ray: 0 to 4 its direction, to 7 the reciprocal of its greatest component, to 12 the slopes, to 15 where it starts. */
+  /** Clock within a ray: 0 to 4 its direction, to 8 the reciprocal of its greatest component; then, while the next ray begins, `late` to 12 the
+    * slopes, to 15 where it starts.
+    */
   val clock = RegInit(U(0, 4 bits))
+  val late  = RegInit(U(0, 4 bits))
 
   /** Which ray is made. */
   val scan = new Area {
@@ -71,11 +74,13 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
 
   val free  = !downValid || io.down.ready
   val runs  = clock.mux(
-    0       -> (scan.picking || scan.scanning && io.room),
-    5       -> free,
+    0       -> ((scan.picking || scan.scanning && io.room) && (late <= 10 || late === 15)), // apart from eyes read at 13 and 14
+    5       -> (late === 0 && free),
     default -> True
   )
-  when(runs)(clock := clock + 1)
+  when(runs)(clock := Mux(clock === 8, U(0), clock + 1))
+  when(late =/= 0)(late := late + 1)
+  when(clock === 8)(late := 9)
   private def during(n: Int) = clock === n && runs
 
   /** Directions, as they were for this row's first pixel (0 to 2) and as they are (4 to 6). */
@@ -87,11 +92,11 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
   val from       = Mux(stepping, scan.first || scan.column === 1 && !scan.picking, scan.first)
   val wanted     = clock.mux(6 -> axis(1), 7 -> axis(2), default -> clock(1 downto 0))
   val before     = directions.readSync(!from ## wanted.asBits asUInt)
-  io.index := clock.mux(
-    10      -> axis(0).resize(4),
-    13      -> axis(1).resize(4),
-    14      -> axis(2).resize(4),
-    default -> (Mux(
+  val eyeAxis = Mux(late === 13, axis(1), Mux(late === 14, axis(2), axis(0)))
+  io.index := Mux(
+    late === 13 || late === 14 || clock === 8,
+    eyeAxis.resize(4),
+    (Mux(
       scan.picking,
       U(Look, 4 bits),
       Mux(scan.first, Mux(scan.row === 0, U(Base, 4 bits), U(Down, 4 bits)), U(Right, 4 bits))
@@ -124,7 +129,7 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
 
   val multiplier = Multiplier16(tech, signedA = false, signedB = false, add = true, hold = true)
   multiplier.io.enable := True
-  multiplier.io.holdA  := clock === 9 || clock === 10
+  multiplier.io.holdA  := late === 9 || late === 10
   val product = multiplier.io.product
 
   val slopes = new Area {
@@ -137,24 +142,24 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
     val word     = lines.readSync(f(19 downto 12))
     val scaled   = Vec(Reg(UInt(16 bits)), 2)
     val minor    = direction.magnitude
-    when(clock === 8 || clock === 9) {
+    when(clock === 8 || late === 9) {
       scaled(0) := scaled(1)
       scaled(1) := Mux(half, minor(21 downto 6), minor(22 downto 7))
     }
-    val quotient = Mux(clock(0), scaled(0), scaled(1)) - product(31 downto 17).asUInt
+    val quotient = Mux(late(0), scaled(0), scaled(1)) - product(31 downto 17).asUInt
     val slope    = (Mux(quotient.msb, U(0x7fff, 15 bits), quotient(14 downto 0)) >> 15 - c.slopeBits)
-    when(clock === 11)(ray.slopes(0) := slope)
-    when(clock === 12)(ray.slopes(1) := slope)
+    when(late === 11)(ray.slopes(0) := slope)
+    when(late === 12)(ray.slopes(1) := slope)
   }
 
   val entry = new Area {
-    val which  = clock(0).asUInt // the second of the others at 13 and 15
-    val k      = clock.mux(11 -> axis(0), 14 -> axis(1), default -> axis(2))
+    val which  = late(0).asUInt // the second of the others at 13 and 15
+    val k      = late.mux(9 -> axis(0), 14 -> axis(1), default -> axis(2))
     val value  = io.value.resize(c.blockBits + c.eyeBits)
     val size   = k.mux((0 to 2).map(i => i -> S(c.size.axes(i) << c.eyeBits, c.blockBits + c.eyeBits bits)) :+ (default -> S(0, c.blockBits + c.eyeBits bits)): _*)
     val place  = Mux(ray.mirrored(k), size - value, value)
     val behind = Reg(UInt(c.eyeBits bits))
-    when(clock === 11) {
+    when(late === 9) {
       plane  := place >> c.eyeBits
       behind := place(c.eyeBits - 1 downto 0).asUInt
     }
@@ -162,24 +167,22 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
     for (i <- 0 to 1) ray.low(i) := after(i) && ray.slopes(i) =/= 0
     val position = (place ## B(0, c.slopeBits bits)).asSInt -
       (product(c.fractionBits downto 0).asUInt + ray.low(which).asUInt).resize(c.fractionBits + 2).asSInt
-    for (i <- 0 to 1) when(clock === 14 + i) {
+    for (i <- 0 to 1) when(late === 14 + i) {
       at(i)   := position
       past(i) := (position >> c.fractionBits) =/= (place >> c.eyeBits)
     }
-    when(during(15))(downValid := True)
+    when(late === 15)(downValid := True)
   }
 
-  multiplier.io.a := clock.mux(
-    6       -> slopes.word(12 downto 0).resize(16),
-    8       -> product(31 downto 16),
-    12      -> ray.slopes(0).asBits.resize(16),
-    default -> ray.slopes(1).asBits.resize(16)
+  multiplier.io.a := Mux(
+    clock === 6,
+    slopes.word(12 downto 0).resize(16),
+    Mux(clock === 8, product(31 downto 16), Mux(late === 12, ray.slopes(0), ray.slopes(1)).asBits.resize(16))
   )
-  multiplier.io.b := clock.mux(
-    6       -> slopes.f(11 downto 0).asBits.resize(16),
-    9       -> slopes.scaled(1).asBits,
-    10      -> slopes.scaled(1).asBits,
-    default -> entry.behind.asBits.resize(16)
+  multiplier.io.b := Mux(
+    clock === 6,
+    slopes.f(11 downto 0).asBits.resize(16),
+    Mux(late === 12 || late === 13, entry.behind.asBits.resize(16), slopes.scaled(1).asBits)
   )
   multiplier.io.addend := Mux(clock === 6, slopes.word(31 downto 13) ## B(0, 13 bits), B(0, 32 bits))
 

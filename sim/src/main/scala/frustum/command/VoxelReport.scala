@@ -34,6 +34,13 @@ object VoxelReport {
         report("clocksPerFrame") = clocks / drawn.length
         report("clocksPerStep") = clocks / n.steps
         report("framesPerSecond") = clock.mhz * 1e6 * drawn.length / clocks
+        if (drawn.forall(_.clocksAtPins.isDefined)) {
+          val atPins = drawn.flatMap(_.clocksAtPins).sum.toDouble
+          report("clocksPerFrameAtPins") = atPins / drawn.length
+          report("framesPerSecondAtPins") = clock.mhz * 1e6 * drawn.length / atPins
+          report("raysPerSecond") = clock.mhz * 1e6 * n.rays / clocks
+          report("raysPerSecondAtPins") = clock.mhz * 1e6 * n.rays / atPins
+        }
         report("clockMHz") = clock.mhz
         report("clockSource") = clock.source
       }

@@ -84,6 +84,9 @@ final class SmallVoxelSession(dut: SmallVoxelTestbed) {
 
 object SmallVoxelSession {
 
+  /** Clocks between the pixels that icebreaker-voxel's display takes: 16 bits, one a clock. */
+  val DisplayPace = 15
+
   /** What is left of 0xRRGGBB. */
   def rgb565(rgb: Int): Int = rgb >> 8 & 0xf800 | rgb >> 5 & 0x7e0 | rgb >> 3 & 0x1f
 

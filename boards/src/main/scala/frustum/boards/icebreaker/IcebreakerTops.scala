@@ -50,6 +50,6 @@ object IcebreakerTops {
     constraints = "boards/icebreaker/voxel.pcf",
     core = BoardClock(IcebreakerClock.Net, voxelMHz, "PLL on the 12 MHz oscillator"),
     otherClocks = Nil,
-    component = () => VoxelTop(VoxelConfig(), Panel.Ili9341, focal = 225, voxelMHz, Tech.Ice40)
+    component = () => VoxelTop(VoxelConfig(), Panel.St7789, focal = 225, voxelMHz, Tech.Ice40)
   )
 }

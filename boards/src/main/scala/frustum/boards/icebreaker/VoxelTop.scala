@@ -5,7 +5,7 @@ import frustum.pipelines.SmallVoxelConsole
 import frustum.spec.{Blocks, Panel, VoxelCamera, VoxelConfig}
 import spinal.core._
 
-/** `icebreaker-voxel`: a world of blocks from the host, on an SPI display.
+/** `icebreaker-voxel`: a world of blocks from the host, on an SPI display whose SCK is the core clock.
   *
   * @param coreMHz core clock
   * @param focal   pixels from the eye to the screen, of the start's camera
@@ -25,7 +25,7 @@ case class VoxelTop(
 
   val clocking = new IcebreakerClock(io.clk, io.resetn, coreMHz, tech)
   val core     = new ClockingArea(clocking.domain) {
-    val console = SmallVoxelConsole(config, Blocks.assets, VoxelCamera.level(config, focal), panel, tech, baud, fast)
+    val console = SmallVoxelConsole(config, Blocks.assets, VoxelCamera.level(config, focal), panel, tech, baud, fast = fast)
     console.io.uart := io.uart
     io.refused_n    := RegNext(console.io.refused === 0, True)
     io.display      := console.io.display
