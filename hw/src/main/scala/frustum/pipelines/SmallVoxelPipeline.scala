@@ -76,22 +76,13 @@ case class SmallVoxelPipeline(
     memory.io.write << queue.io.pop.continueWhen(now).toFlow
   }
 
-  val pick = new Area {
-    val hit        = texels.io.down
-    val selectable = BlockFlags(assets.table).where(_.selectable)(hit.id)
-    val found      = Reg(PointedAt(c))
-    found.valid init False
-    when(rays.io.start)(found.valid := False)
-    when(hit.fire && hit.pick && hit.shown && selectable && !found.valid && hit.far <= 256 * reach * reach) {
-      found.valid := True
-      found.block := hit.block
-      found.face  := hit.face
-    }
-    rays.io.picked := RegNext(hit.fire && hit.pick && hit.last, False)
-  }
-  io.pointedAt                                     := pick.found
-  composite.io.pointedAt                           := pick.found
-  composite.io.pointedAt.valid.removeAssignments() := pick.found.valid && io.highlight
+  val pick = FacePicker(c, assets.table, stages.slots, reach)
+  pick.io.start     := rays.io.start
+  pick.io.hits << texels.io.down.toFlowFire
+  rays.io.picked    := pick.io.picked
+  io.pointedAt                                     := pick.io.found
+  composite.io.pointedAt                           := pick.io.found
+  composite.io.pointedAt.valid.removeAssignments() := pick.io.found.valid && io.highlight
 
   val drawing = new Area {
     val rayCount = RegInit(U(0, 4 bits)) // begun and not done

@@ -119,12 +119,9 @@ case class SerialTexel(c: VoxelConfig, slots: Int, tech: Tech) extends Component
 
   val result = new Area {
     val ray       = hit.ray
-    val (x, y, z) = {
-      val inside = (0 to 2).map { k =>
-        val t = RayAxes.xyz(ray.fast, texel, k)
-        Mux(ray.mirrored(k), ~t, t)
-      }
-      (inside(0), inside(1), inside(2))
+    val inside    = (0 to 2).map { k =>
+      val t = RayAxes.xyz(ray.fast, texel, k)
+      Mux(ray.mirrored(k), ~t, t)
     }
     val sum  = ray.fast.resize(3) + hit.entry
     val side = Mux(sum >= 3, sum - 3, sum).resize(2)
@@ -140,8 +137,9 @@ case class SerialTexel(c: VoxelConfig, slots: Int, tech: Tech) extends Component
       val block = RayAxes.xyz(ray.fast, hit.block, k)
       out.block(k) := Mux(ray.mirrored(k), U(c.size.axes(k) - 1, c.size.logs.max bits) - block, block)
     }
-    out.u     := out.face.mux(0 -> ~y, 1 -> y, 2 -> x, 3 -> ~x, 4 -> x, default -> ~x)
-    out.v     := Mux(out.face(2), y, ~z)
+    val (u, v) = TexelHit.uv(out.face, inside)
+    out.u     := u
+    out.v     := v
     out.far   := distance.far
     out.shown := hit.face && out.far <= c.farSquared
   }

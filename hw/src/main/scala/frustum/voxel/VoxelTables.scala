@@ -3,7 +3,7 @@ package frustum.voxel
 import frustum.spec.{BlockTable, VoxelTextures}
 import spinal.core._
 
-/** A texel's RGBA4444, three clocks after what it depends on, which must hold meanwhile: texture by id and face, colour index by texel, colour by texture
+/** A texel's RGBA4444, one a clock, three clocks after what it depends on: texture by id and face, colour index by texel, colour by texture
   * and index.
   */
 case class VoxelTables(kinds: BlockTable, textures: VoxelTextures) extends Component {
@@ -24,6 +24,6 @@ case class VoxelTables(kinds: BlockTable, textures: VoxelTextures) extends Compo
     }
   )
   val number = byId.readSync(io.id @@ io.face)
-  val index  = rom(4, each(textures.indices, 256)).readSync((number ## io.v ## io.u).asUInt)
-  io.rgba := rom(16, each(textures.palettes, 16)).readSync((number ## index).asUInt)
+  val index  = rom(4, each(textures.indices, 256)).readSync((number ## RegNext(io.v) ## RegNext(io.u)).asUInt)
+  io.rgba := rom(16, each(textures.palettes, 16)).readSync((RegNext(number) ## index).asUInt)
 }
