@@ -58,10 +58,10 @@ case class SmallVoxelPipeline(
 
   rays.io.down >> marcher.io.up
   marcher.io.memory <> memory.io.read
-  marcher.io.granted    := memory.io.granted
-  marcher.io.accepted   := texels.io.up.ready
-  texels.io.up.valid    := marcher.io.hits.valid
-  texels.io.up.payload  := marcher.io.hits.payload
+  marcher.io.granted   := memory.io.granted
+  marcher.io.accepted  := texels.io.up.ready
+  texels.io.up.valid   := marcher.io.hits.valid
+  texels.io.up.payload := marcher.io.hits.payload
   texels.io.down >> composite.io.up
   composite.io.down >> order.io.up
   order.io.next := rays.io.pixel
@@ -77,9 +77,9 @@ case class SmallVoxelPipeline(
   }
 
   val pick = FacePicker(c, assets.table, stages.slots, reach)
-  pick.io.start     := rays.io.start
+  pick.io.start := rays.io.start
   pick.io.hits << texels.io.down.toFlowFire
-  rays.io.picked    := pick.io.picked
+  rays.io.picked                                   := pick.io.picked
   io.pointedAt                                     := pick.io.found
   composite.io.pointedAt                           := pick.io.found
   composite.io.pointedAt.valid.removeAssignments() := pick.io.found.valid && io.highlight
@@ -95,8 +95,10 @@ object SmallVoxelPipeline {
 
   /** What it cannot be built for and what to do about it, or None. */
   def fault(c: VoxelConfig): Option[String] =
-    if (c.leaps.wordBits > 8) Some(s"leaps that take words of ${c.leaps.wordBits} bits do not fit two into 16; use up-down")
-    else if (c.farSquared - c.fogSquared >= (1 << 16)) Some(s"a view distance of ${c.distance} is too far for a multiplier of 16 bits; at most 24")
+    if (c.leaps.wordBits > 8)
+      Some(s"leaps that take words of ${c.leaps.wordBits} bits do not fit two into 16; use up-down")
+    else if (c.farSquared - c.fogSquared >= (1 << 16))
+      Some(s"a view distance of ${c.distance} is too far for a multiplier of 16 bits; at most 24")
     else None
 
   /** Edits that wait while a frame is drawn, and how many of them are patient. */

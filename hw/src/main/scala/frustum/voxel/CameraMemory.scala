@@ -36,7 +36,10 @@ case class CameraMemory(c: VoxelConfig, initial: VoxelCamera) extends Component 
 
   private def memory(width: Int) = {
     val numbers = initial.numbers.padTo(16, 0)
-    val mem     = Mem(Bits(width bits), Seq.fill(4)(numbers).flatten.map(n => B(BigInt(n) & ((BigInt(1) << width) - 1), width bits)))
+    val mem     = Mem(
+      Bits(width bits),
+      Seq.fill(4)(numbers).flatten.map(n => B(BigInt(n) & ((BigInt(1) << width) - 1), width bits))
+    )
     mem.write(written @@ io.write.index, io.write.value.resize(width).asBits, io.write.valid)
     mem
   }

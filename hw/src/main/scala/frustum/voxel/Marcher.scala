@@ -44,12 +44,12 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable, tech: Tech, stages: Marche
   val ID                      = Payload(UInt(BlockTable.IdBits bits))
   val REACH                   = Payload(UInt(5 bits))
   val RUN                     = Payload(Vec(UInt(c.slopeBits + 5 bits), 2)) // of the slopes over the reach
-  val TO          = Payload(Vec(UInt(shift + 1 bits), 2)) // ways to the next borders of the other axes
-  val FAR         = Payload(Vec(SInt(whole + shift bits), 2))
-  val CROSS       = Payload(Vec(UInt(shift + 1 + c.slopeBits bits), 2))
-  val FITS, FIRST = Payload(Bool())
-  val BACK        = Payload(Vec(SInt(whole + shift bits), 2))
-  val DENIED, AGAIN = Payload(Bool()) // the word was; so the step is to be made again
+  val TO            = Payload(Vec(UInt(shift + 1 bits), 2)) // ways to the next borders of the other axes
+  val FAR           = Payload(Vec(SInt(whole + shift bits), 2))
+  val CROSS         = Payload(Vec(UInt(shift + 1 + c.slopeBits bits), 2))
+  val FITS, FIRST   = Payload(Bool())
+  val BACK          = Payload(Vec(SInt(whole + shift bits), 2))
+  val DENIED, AGAIN = Payload(Bool())                       // the word was; so the step is to be made again
 
   val line = new LockstepPipeline(stages.slots)
   val tail = line.nodes.last
@@ -66,11 +66,11 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable, tech: Tech, stages: Marche
       next.at(i)   := Mux(leap, Mux(tail(FITS), tail(FAR)(i), tail(BACK)(i)), tail(PLACE).at(i))
       next.past(i) := !leap && (tail(PLACE).past(i) || !tail(AGAIN) && (tail(FIRST) ^ Bool(i == 1)))
     }
-    io.up.ready       := !again
-    line(0).valid     := again || io.up.valid
-    line(0)(RAY)      := Mux(again, tail(RAY), io.up.ray)
-    line(0)(PLACE)    := Mux(again, next, io.up.place)
-    line(0)(END)      := Mux(again, tail(END), io.up.end)
+    io.up.ready    := !again
+    line(0).valid  := again || io.up.valid
+    line(0)(RAY)   := Mux(again, tail(RAY), io.up.ray)
+    line(0)(PLACE) := Mux(again, next, io.up.place)
+    line(0)(END)   := Mux(again, tail(END), io.up.end)
     val entry = Mux(leap, U(0, 2 bits), Mux(tail(FIRST), U(1), U(2)))
     line(0)(ENTRY)    := Mux(again, Mux(tail(AGAIN), tail(ENTRY), entry), U(3))
     line(0)(PREVIOUS) := Mux(again, Mux(tail(AGAIN), tail(PREVIOUS), tail(ID)), U(0))
@@ -90,8 +90,8 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable, tech: Tech, stages: Marche
     val block  = node(BLOCK)
     val xyz    = for (k <- 0 to 2) yield RayAxes.xyz(node(RAY).fast, block, k)
     val beyond = Vec((0 to 2).map(k => !xyz(k).msb && (xyz(k) >> c.size.logs(k)) =/= 0))
-    node(INSIDE)   := !xyz.map(_.msb).reduce(_ || _)
-    node(OUT)      := beyond.asBits.orR || block(0).resize(c.endBits) > node(END)
+    node(INSIDE)      := !xyz.map(_.msb).reduce(_ || _)
+    node(OUT)         := beyond.asBits.orR || block(0).resize(c.endBits) > node(END)
     node(DENIED)      := (if (stages.retries) !io.granted else False)
     io.memory.address := Cat((2 to 0 by -1).map { k =>
       val low = xyz(k)(c.size.logs(k) - 1 downto 0).asBits
@@ -120,17 +120,17 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable, tech: Tech, stages: Marche
   }
 
   val steps = new Area {
-    val node                       = line(stages.steps)
+    val node = line(stages.steps)
     for (i <- 0 to 1) node(RUN)(i) := node(REACH) * node(RAY).slopes(i)
-    io.hits.valid                      := node.isValid && (node(FACE) || node(LAST)) && !node(DENIED)
-    node(AGAIN) := (if (stages.retries) node(DENIED) || io.hits.valid && !io.accepted else False)
-    io.hits.ray                        := node(RAY)
-    io.hits.slot                       := node(SLOT)
-    io.hits.face                       := node(FACE)
-    io.hits.last                       := node(LAST)
-    io.hits.id                         := node(ID)
-    io.hits.entry                      := node(ENTRY)
-    io.hits.at                         := node(PLACE).at
+    io.hits.valid                  := node.isValid && (node(FACE) || node(LAST)) && !node(DENIED)
+    node(AGAIN)   := (if (stages.retries) node(DENIED) || io.hits.valid && !io.accepted else False)
+    io.hits.ray   := node(RAY)
+    io.hits.slot  := node(SLOT)
+    io.hits.face  := node(FACE)
+    io.hits.last  := node(LAST)
+    io.hits.id    := node(ID)
+    io.hits.entry := node(ENTRY)
+    io.hits.at    := node(PLACE).at
     for (k <- 0 to 2) io.hits.block(k) := node(BLOCK)(k).asUInt.resized
   }
 
@@ -138,7 +138,7 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable, tech: Tech, stages: Marche
   private def move(slopes: UInt): SInt = (slopes ## B(0, c.eyeBits bits)).asUInt.resize(whole + shift).asSInt
 
   val far = new Area {
-    val node                       = line(stages.far)
+    val node = line(stages.far)
     for (i <- 0 to 1) node(FAR)(i) := node(PLACE).at(i) + move(node(RUN)(i))
   }
 
@@ -151,9 +151,9 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable, tech: Tech, stages: Marche
       node(TO)(i) := U(1 << shift, shift + 1 bits) - fraction.resize(shift + 1) - node(RAY).low(i).asUInt
       if (stages.narrow) {
         val product = WideMultiplier(tech, shift + 2)
-        product.io.a                    := (False ## node(TO)(i)).asSInt
-        product.io.b                    := slope.resized
-        line(stages.choose)(CROSS)(i)   := product.io.product.asUInt.resized
+        product.io.a                  := (False ## node(TO)(i)).asSInt
+        product.io.b                  := slope.resized
+        line(stages.choose)(CROSS)(i) := product.io.product.asUInt.resized
       } else {
         val after = line(stages.choose - 1)
         after(CROSS)(i) := after(TO)(i) * after(RAY).slopes(1 - i)

@@ -37,7 +37,10 @@ case class PixelOrder() extends Component {
   val at   = Mux(io.down.fire, sent + 1, sent)
   sent := at
   val word = words.readSync(at.resize(addressBits))
-  val sure = RegNext(!(written.valid && written.address === at.resize(addressBits)), False) // not read while it was written
+  val sure = RegNext(
+    !(written.valid && written.address === at.resize(addressBits)),
+    False
+  ) // not read while it was written
   io.room         := !clears && (io.next - sent) < (1 << addressBits)
   io.down.valid   := sure && word.msb === sent.msb
   io.down.payload := word(15 downto 0)

@@ -53,40 +53,42 @@ case class SerialComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelTex
         B(if (pointed == 1) (lit * 120 * 257 >> 16) + 125 else lit, 8 bits)
       }
     )
-    val level  = hit.face.mux((0 until 6).map(f => f -> U(levels.indexOf(VoxelConfig.Light(f)), 2 bits)) :+ (default -> U(0, 2 bits)): _*)
-    val value  = clock.mux(4 -> rgba(15 downto 12), 6 -> rgba(11 downto 8), default -> rgba(7 downto 4))
-    val shown  = table.readSync((chosen.asUInt ## level ## value).asUInt).asUInt // at 5, 7, 9
+    val level = hit.face.mux((0 until 6).map(f =>
+      f -> U(levels.indexOf(VoxelConfig.Light(f)), 2 bits)
+    ) :+ (default -> U(0, 2 bits)): _*)
+    val value = clock.mux(4 -> rgba(15 downto 12), 6 -> rgba(11 downto 8), default -> rgba(7 downto 4))
+    val shown = table.readSync((chosen.asUInt ## level ## value).asUInt).asUInt // at 5, 7, 9
   }
 
   val multiplier = Multiplier16(tech, signedA = true, signedB = false, add = true)
   multiplier.io.enable := True
   val product = multiplier.io.product
 
-  val fog   = Reg(UInt(9 bits))
-  val above = clock.mux(5 -> U(sky(0), 8 bits), 7 -> U(sky(1), 8 bits), default -> U(sky(2), 8 bits))
-  val color = Reg(UInt(8 bits)) // at 8, 10, 12
-  when(clock === 3)(fog := (if (c.fog) product(24 downto 16).asUInt else U(0, 9 bits)))
-  when(clock === 7)(color := Mux(hit.shown, product(15 downto 8).asUInt, U(sky(0), 8 bits)))
-  when(clock === 9)(color := Mux(hit.shown, product(15 downto 8).asUInt, U(sky(1), 8 bits)))
+  val fog      = Reg(UInt(9 bits))
+  val above    = clock.mux(5 -> U(sky(0), 8 bits), 7 -> U(sky(1), 8 bits), default -> U(sky(2), 8 bits))
+  val color    = Reg(UInt(8 bits)) // at 8, 10, 12
+  when(clock === 3)(fog    := (if (c.fog) product(24 downto 16).asUInt else U(0, 9 bits)))
+  when(clock === 7)(color  := Mux(hit.shown, product(15 downto 8).asUInt, U(sky(0), 8 bits)))
+  when(clock === 9)(color  := Mux(hit.shown, product(15 downto 8).asUInt, U(sky(1), 8 bits)))
   when(clock === 11)(color := Mux(hit.shown, product(15 downto 8).asUInt, U(sky(2), 8 bits)))
 
   /** Of each slot: three channels' light and what is still clear, of 255. A slot is `fresh` when its ray has no layer yet. */
   val layers = new Area {
-    val memory  = Mem(Bits(16 bits), 4 * slots)
-    val fresh   = RegInit(B((BigInt(1) << slots) - 1, slots bits))
-    val first   = fresh(hit.slot)
-    val which   = clock.mux(7 -> U(0, 2 bits), 9 -> U(1, 2 bits), 11 -> U(2, 2 bits), default -> U(3, 2 bits))
-    val slot    = Mux(io.up.ready, io.up.slot, hit.slot)
-    val word    = memory.readSync(slot @@ which).asUInt
-    val clear   = Reg(UInt(8 bits))
-    val weight  = Reg(UInt(8 bits))
-    val before  = Mux(first, U(0, 16 bits), word)
-    val starts  = RegNext(io.up.fire, False)
+    val memory = Mem(Bits(16 bits), 4 * slots)
+    val fresh  = RegInit(B((BigInt(1) << slots) - 1, slots bits))
+    val first  = fresh(hit.slot)
+    val which  = clock.mux(7 -> U(0, 2 bits), 9 -> U(1, 2 bits), 11 -> U(2, 2 bits), default -> U(3, 2 bits))
+    val slot   = Mux(io.up.ready, io.up.slot, hit.slot)
+    val word   = memory.readSync(slot @@ which).asUInt
+    val clear  = Reg(UInt(8 bits))
+    val weight = Reg(UInt(8 bits))
+    val before = Mux(first, U(0, 16 bits), word)
+    val starts = RegNext(io.up.fire, False)
     when(starts)(clear := Mux(first, U(255), word(7 downto 0)))
     when(clock === 6)(weight := product(11 downto 4).asUInt)
-    val write   = clock.mux(7 -> True, 10 -> True, 12 -> True, 14 -> True, default -> False)
-    val place   = clock.mux(10 -> U(0, 2 bits), 12 -> U(1, 2 bits), 14 -> U(2, 2 bits), default -> U(3, 2 bits))
-    val data    = Mux(clock === 7, (clear - weight).resize(16), product(15 downto 0).asUInt)
+    val write = clock.mux(7 -> True, 10 -> True, 12 -> True, 14 -> True, default -> False)
+    val place = clock.mux(10 -> U(0, 2 bits), 12 -> U(1, 2 bits), 14 -> U(2, 2 bits), default -> U(3, 2 bits))
+    val data  = Mux(clock === 7, (clear - weight).resize(16), product(15 downto 0).asUInt)
     memory.write(hit.slot @@ place, data.asBits, write)
     when(clock === 14)(fresh(hit.slot) := hit.last)
   }
@@ -123,7 +125,7 @@ case class SerialComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelTex
     val pixel = Reg(OrderedPixel())
     val valid = RegNext(clock === 14 && hit.last && !hit.pick, False)
     when(clock === 10)(pixel.color(15 downto 11) := value(7 downto 3).asBits)
-    when(clock === 12)(pixel.color(10 downto 5) := value(7 downto 2).asBits)
+    when(clock === 12)(pixel.color(10 downto 5)  := value(7 downto 2).asBits)
     when(clock === 14) {
       pixel.color(4 downto 0) := value(7 downto 3).asBits
       pixel.tag               := hit.pixel.resized

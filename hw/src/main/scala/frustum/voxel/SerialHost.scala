@@ -21,7 +21,7 @@ case class SerialHost(c: VoxelConfig, silence: Int) extends Component {
   val payload   = Reg(Bits(8 * WriteBytes bits))
   val left      = Reg(UInt(log2Up(CameraBytes + 2) bits)) init 0 // bytes to come, the checksum among them
   val isCamera  = Reg(Bool())
-  val third     = Reg(UInt(2 bits))                               // bytes of a number so far
+  val third     = Reg(UInt(2 bits))                              // bytes of a number so far
   val index     = Reg(UInt(4 bits))
   val sum       = Reg(UInt(8 bits))
   val quiet     = Timeout(silence)
@@ -31,15 +31,15 @@ case class SerialHost(c: VoxelConfig, silence: Int) extends Component {
   when(refuse && !refused.andR)(refused := refused + 1)
 
   val (address, word) = (payload(47 downto 24).asUInt, payload(23 downto 0))
-  io.edit.valid        := editValid
-  io.edit.address      := address.resized
-  io.edit.word         := word.resized
-  io.refused           := refused
-  io.bytes.ready       := !editValid
-  io.camera.valid      := RegNext(io.bytes.fire && isCamera && left > 1 && third === 2, False)
-  io.camera.index      := RegNext(index)
-  io.camera.value      := word.asSInt
-  io.commit            := False
+  io.edit.valid   := editValid
+  io.edit.address := address.resized
+  io.edit.word    := word.resized
+  io.refused      := refused
+  io.bytes.ready  := !editValid
+  io.camera.valid := RegNext(io.bytes.fire && isCamera && left > 1 && third === 2, False)
+  io.camera.index := RegNext(index)
+  io.camera.value := word.asSInt
+  io.commit       := False
 
   when(io.bytes.fire) {
     quiet.clear()

@@ -18,7 +18,7 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
     val picked = in Bool ()
     val room   = in Bool ()
     val busy   = out Bool ()
-    val begun  = out Bool ()                            // once a ray
+    val begun  = out Bool ()                        // once a ray
     val index  = out UInt (4 bits)
     val value  = in SInt (VoxelCamera.DirectionWidth bits)
     val pixel  = out UInt (PixelOrder.TagBits bits) // the next one to begin
@@ -72,27 +72,28 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
   val plane     = Reg(SInt(c.blockBits bits))
   val downValid = RegInit(False) clearWhen io.down.ready
 
-  val free  = !downValid || io.down.ready
-  val runs  = clock.mux(
-    0       -> ((scan.picking || scan.scanning && io.room) && (late <= 10 || late === 15)), // apart from eyes read at 13 and 14
+  val free = !downValid || io.down.ready
+  val runs = clock.mux(
+    0 -> ((scan.picking || scan.scanning && io.room) && (late <= 10 || late === 15)), // apart from eyes read at 13 and 14
     5       -> (late === 0 && free),
     default -> True
   )
-  when(runs)(clock := Mux(clock === 8, U(0), clock + 1))
-  when(late =/= 0)(late := late + 1)
+  when(runs)(clock       := Mux(clock === 8, U(0), clock + 1))
+  when(late =/= 0)(late  := late + 1)
   when(clock === 8)(late := 9)
   private def during(n: Int) = clock === n && runs
 
   /** Directions, as they were for this row's first pixel (0 to 2) and as they are (4 to 6). */
-  val directions = Mem(SInt(width bits), 8)
-  val fast       = Reg(UInt(2 bits))
-  val mirrored   = Reg(Bits(3 bits))
-  private def axis(i: Int) = ray.fast.mux(0 -> U(i % 3, 2 bits), 1 -> U((i + 1) % 3, 2 bits), default -> U((i + 2) % 3, 2 bits))
-  val stepping   = clock < 5
-  val from       = Mux(stepping, scan.first || scan.column === 1 && !scan.picking, scan.first)
-  val wanted     = clock.mux(6 -> axis(1), 7 -> axis(2), default -> clock(1 downto 0))
-  val before     = directions.readSync(!from ## wanted.asBits asUInt)
-  val eyeAxis = Mux(late === 13, axis(1), Mux(late === 14, axis(2), axis(0)))
+  val directions           = Mem(SInt(width bits), 8)
+  val fast                 = Reg(UInt(2 bits))
+  val mirrored             = Reg(Bits(3 bits))
+  private def axis(i: Int) =
+    ray.fast.mux(0 -> U(i % 3, 2 bits), 1 -> U((i + 1) % 3, 2 bits), default -> U((i + 2) % 3, 2 bits))
+  val stepping = clock < 5
+  val from     = Mux(stepping, scan.first || scan.column === 1 && !scan.picking, scan.first)
+  val wanted   = clock.mux(6 -> axis(1), 7 -> axis(2), default -> clock(1 downto 0))
+  val before   = directions.readSync(!from ## wanted.asBits asUInt)
+  val eyeAxis  = Mux(late === 13, axis(1), Mux(late === 14, axis(2), axis(0)))
   io.index := Mux(
     late === 13 || late === 14 || clock === 8,
     eyeAxis.resize(4),
@@ -133,15 +134,15 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
   val product = multiplier.io.product
 
   val slopes = new Area {
-    val half     = !direction.major.msb
-    val f        = Mux(half, direction.major(20 downto 1), direction.major(21 downto 2))
-    val lines    = Mem(
+    val half  = !direction.major.msb
+    val f     = Mux(half, direction.major(20 downto 1), direction.major(21 downto 2))
+    val lines = Mem(
       Bits(32 bits),
       (0 until 256).map(i => B(ReciprocalTable.base(i).toLong << 13 | ReciprocalTable.slope(i), 32 bits))
     )
-    val word     = lines.readSync(f(19 downto 12))
-    val scaled   = Vec(Reg(UInt(16 bits)), 2)
-    val minor    = direction.magnitude
+    val word   = lines.readSync(f(19 downto 12))
+    val scaled = Vec(Reg(UInt(16 bits)), 2)
+    val minor  = direction.magnitude
     when(clock === 8 || late === 9) {
       scaled(0) := scaled(1)
       scaled(1) := Mux(half, minor(21 downto 6), minor(22 downto 7))
@@ -153,10 +154,12 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
   }
 
   val entry = new Area {
-    val which  = late(0).asUInt // the second of the others at 13 and 15
-    val k      = late.mux(9 -> axis(0), 14 -> axis(1), default -> axis(2))
-    val value  = io.value.resize(c.blockBits + c.eyeBits)
-    val size   = k.mux((0 to 2).map(i => i -> S(c.size.axes(i) << c.eyeBits, c.blockBits + c.eyeBits bits)) :+ (default -> S(0, c.blockBits + c.eyeBits bits)): _*)
+    val which = late(0).asUInt // the second of the others at 13 and 15
+    val k     = late.mux(9 -> axis(0), 14 -> axis(1), default -> axis(2))
+    val value = io.value.resize(c.blockBits + c.eyeBits)
+    val size  = k.mux((0 to 2).map(i =>
+      i -> S(c.size.axes(i) << c.eyeBits, c.blockBits + c.eyeBits bits)
+    ) :+ (default -> S(0, c.blockBits + c.eyeBits bits)): _*)
     val place  = Mux(ray.mirrored(k), size - value, value)
     val behind = Reg(UInt(c.eyeBits bits))
     when(late === 9) {

@@ -17,10 +17,14 @@ case class SerialTexel(c: VoxelConfig, slots: Int, tech: Tech) extends Component
     val eye  = in SInt (c.blockBits + c.eyeBits bits)
   }
   private val shift   = c.fractionBits
-  private val topBits = c.slopeBits + 5 // of what is divided, in units of a sixteenth of the divisor's lowest digit
+  private val topBits =
+    c.slopeBits + 5 // of what is divided, in units of a sixteenth of the divisor's lowest digit
 
   val hit    = Reg(FaceHit(c, slots))
-  val within = Reg(Vec(SInt(shift + 2 bits), 2)) // positions from the block's corner; the way to the border, and along it
+  val within = Reg(Vec(
+    SInt(shift + 2 bits),
+    2
+  )) // positions from the block's corner; the way to the border, and along it
   val own    = Reg(UInt(c.slopeBits bits))
   val other  = Reg(UInt(c.slopeBits bits))
   val clock  = RegInit(U(0, 5 bits)) // 0 idle; 1 to 8 division; 9 to 15 distance; 16 done
@@ -42,7 +46,7 @@ case class SerialTexel(c: VoxelConfig, slots: Int, tech: Tech) extends Component
       within(1) := Mux(second, from(0), from(1))
       own       := Mux(second, io.up.ray.slopes(1), io.up.ray.slopes(0))
       other     := Mux(second, io.up.ray.slopes(0), io.up.ray.slopes(1))
-      clock     := Mux(io.up.face, Mux(io.up.entry === 0, U(Away, 5 bits), U(Divide, 5 bits)), U(Done, 5 bits))
+      clock := Mux(io.up.face, Mux(io.up.entry === 0, U(Away, 5 bits), U(Divide, 5 bits)), U(Done, 5 bits))
     }
     when(clock =/= 0 && clock =/= Done)(clock := clock + 1)
   }
@@ -57,13 +61,14 @@ case class SerialTexel(c: VoxelConfig, slots: Int, tech: Tech) extends Component
     val low    = c.fractionBits - 4
     val digits = Vec(Reg(Bits(4 bits)), 2) // along, across
     when(clock === 1)(within(0) := -within(0))
-    when(clock === 3)(across := product.asUInt.resized)
+    when(clock === 3)(across    := product.asUInt.resized)
     when(clock === 4) {
       across := (across + product.asUInt.resize(across.getWidth))
       along  := (within(0).asUInt >> c.eyeBits - 4).resized
     }
-    private def less(rest: UInt) = rest.resize(topBits + 1) - (own << 3).resize(topBits + 1)
-    private def rest(was: UInt, less: UInt) = (Mux(less.msb, was.resize(topBits), less.resize(topBits)) << 1).resize(topBits)
+    private def less(rest: UInt)            = rest.resize(topBits + 1) - (own << 3).resize(topBits + 1)
+    private def rest(was: UInt, less: UInt) =
+      (Mux(less.msb, was.resize(topBits), less.resize(topBits)) << 1).resize(topBits)
     val top   = (across >> low).resize(topBits)
     val lessA = less(along)
     val lessB = less(top)
@@ -90,19 +95,19 @@ case class SerialTexel(c: VoxelConfig, slots: Int, tech: Tech) extends Component
     val step = clock - Away // the eye is asked for at 0 to 2, the square at 2 to 4, it is there at 4 to 6
     private def axis(i: UInt) = { val sum = hit.ray.fast +^ i; Mux(sum >= 3, sum - 3, sum).resize(2) }
     io.axis := axis(step(1 downto 0))
-    val i        = (step - 1)(1 downto 0)
-    val k        = RegNext(io.axis)
-    val size     = k.mux((0 to 2).map(n =>
+    val i    = (step - 1)(1 downto 0)
+    val k    = RegNext(io.axis)
+    val size = k.mux((0 to 2).map(n =>
       n -> S(c.size.axes(n) << c.eyeBits, c.blockBits + c.eyeBits bits)
     ) :+ (default -> S(0, c.blockBits + c.eyeBits bits)): _*)
-    val from     = Mux(hit.ray.mirrored(k), size - io.eye, io.eye) >> c.eyeBits - 4
-    val block    = i.mux(0 -> hit.block(0), 1 -> hit.block(1), default -> hit.block(2))
-    val t        = i.mux(0 -> texel(0), 1 -> texel(1), default -> texel(2))
-    val away     = Reg(SInt(c.blockBits + 5 bits))
-    val far      = Reg(UInt(TexelHit.FarBits bits))
+    val from  = Mux(hit.ray.mirrored(k), size - io.eye, io.eye) >> c.eyeBits - 4
+    val block = i.mux(0 -> hit.block(0), 1 -> hit.block(1), default -> hit.block(2))
+    val t     = i.mux(0 -> texel(0), 1 -> texel(1), default -> texel(2))
+    val away  = Reg(SInt(c.blockBits + 5 bits))
+    val far   = Reg(UInt(TexelHit.FarBits bits))
     away := (block @@ t).resize(c.blockBits + 5).asSInt - from.resize(c.blockBits + 5)
-    val length   = away.abs.resize(c.blockBits + 5)
-    when(step === 4)(far := product.asUInt.resized)
+    val length               = away.abs.resize(c.blockBits + 5)
+    when(step === 4)(far               := product.asUInt.resized)
     when(step === 5 || step === 6)(far := far + product.asUInt.resize(TexelHit.FarBits))
   }
 
@@ -118,8 +123,8 @@ case class SerialTexel(c: VoxelConfig, slots: Int, tech: Tech) extends Component
   )
 
   val result = new Area {
-    val ray       = hit.ray
-    val inside    = (0 to 2).map { k =>
+    val ray    = hit.ray
+    val inside = (0 to 2).map { k =>
       val t = RayAxes.xyz(ray.fast, texel, k)
       Mux(ray.mirrored(k), ~t, t)
     }

@@ -10,12 +10,20 @@ import spinal.core.sim._
 /** `icebreaker-voxel` with a display at its pins. The display looks twice a clock of the core, whose two halves SCK tells apart. */
 case class SmallVoxelPins(c: VoxelConfig, focal: Int) extends Component {
   val io = new Bundle {
-    val run     = in Bool () // resetn
+    val run     = in Bool ()                     // resetn
     val uart    = in Bool ()
     val refused = out Bool ()
     val clocks  = out(Reg(UInt(32 bits)) init 0) // of the core
   }
-  val top  = VoxelTop(c, SmallVoxelPins.Panel, focal, SmallVoxelPins.CoreMHz, Tech.Generic, SmallVoxelPins.Baud, SmallVoxelPins.Fast)
+  val top = VoxelTop(
+    c,
+    SmallVoxelPins.Panel,
+    focal,
+    SmallVoxelPins.CoreMHz,
+    Tech.Generic,
+    SmallVoxelPins.Baud,
+    SmallVoxelPins.Fast
+  )
   val tft  = SimTft(gapLog2 = 8)
   val half = RegInit(False)
   half := !half

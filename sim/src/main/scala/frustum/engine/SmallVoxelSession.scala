@@ -18,7 +18,8 @@ final class SmallVoxelSession(dut: SmallVoxelTestbed) {
 
   /** Puts the words of a world into its memory, by the simulator's back door: two in each of the memory's. */
   def load(words: Array[Int]): Unit =
-    for (i <- words.indices by 2) dut.pipeline.memory.ram.inferred.setBigInt(i / 2L, BigInt(words(i) | words(i + 1) << 8))
+    for (i <- words.indices by 2)
+      dut.pipeline.memory.ram.inferred.setBigInt(i / 2L, BigInt(words(i) | words(i + 1) << 8))
 
   def edit(address: Int, word: Int): Unit = {
     dut.io.edit.valid #= true
@@ -66,7 +67,8 @@ final class SmallVoxelSession(dut: SmallVoxelTestbed) {
       dut.clockDomain.waitSampling()
       now = dut.io.pixels.toLong
     }
-    val picture = Array.tabulate(c.pixels)(i => SmallVoxelSession.rgb888(dut.picture.getBigInt(i.toLong).toInt))
+    val picture =
+      Array.tabulate(c.pixels)(i => SmallVoxelSession.rgb888(dut.picture.getBigInt(i.toLong).toInt))
     VoxelFrame(picture, dut.io.clocks.toLong, dut.io.steps.toLong)
   }
 

@@ -22,7 +22,8 @@ case class SmallVoxelTestbed(c: VoxelConfig, assets: VoxelAssets) extends Compon
     val stalls                = in Bool ()
     val busy                  = out Bool ()
     val pointedAt             = out(PointedAt(c))
-    val clocks, steps, pixels = out(Reg(UInt(32 bits)) init 0) // since the start of the frame, until its last pixel is taken
+    val clocks, steps, pixels =
+      out(Reg(UInt(32 bits)) init 0) // since the start of the frame, until its last pixel is taken
   }
   val pipeline = SmallVoxelPipeline(c, assets, VoxelCamera.level(c, 45), Tech.Generic)
   val picture  = Mem(Bits(16 bits), c.pixels)
@@ -37,13 +38,13 @@ case class SmallVoxelTestbed(c: VoxelConfig, assets: VoxelAssets) extends Compon
   val drawing = RegInit(False)
   val rest    = RegInit(U(0, 6 bits))
   val random  = Reg(Bits(16 bits)) init 1
-  random := random(14 downto 0) ## (random(15) ^ random(13) ^ random(12) ^ random(10))
+  random  := random(14 downto 0) ## (random(15) ^ random(13) ^ random(12) ^ random(10))
   io.busy := drawing || pipeline.io.busy
 
   val done = pipeline.io.pixels
   done.ready := rest === 0
   when(rest =/= 0)(rest := rest - 1)
-  when(done.fire)(rest := Mux(random(2 downto 0) === 0 && io.stalls, io.pace |<< 1, io.pace))
+  when(done.fire)(rest  := Mux(random(2 downto 0) === 0 && io.stalls, io.pace |<< 1, io.pace))
   picture.write(io.pixels.resized, done.payload, done.fire)
   when(io.start && !io.busy) {
     drawing   := True

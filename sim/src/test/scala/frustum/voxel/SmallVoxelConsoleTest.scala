@@ -28,7 +28,8 @@ class SmallVoxelConsoleTest extends AnyFunSuite {
 
   private final class Session(dut: SmallVoxelPins) {
     val controller     = new TftController(SmallVoxelPins.Panel)
-    private val reader = new SimTftReader(dut.tft, controller, (SmallVoxelPins.CoreMHz * 2000000).toLong, SmallVoxelPins.Fast)
+    private val reader =
+      new SimTftReader(dut.tft, controller, (SmallVoxelPins.CoreMHz * 2000000).toLong, SmallVoxelPins.Fast)
     dut.io.run #= true
     dut.io.uart #= true
     dut.clockDomain.forkStimulus(EngineSim.Period)
@@ -56,7 +57,7 @@ class SmallVoxelConsoleTest extends AnyFunSuite {
     /** Lets frames go by until all of the picture is of what there is now. */
     def picture(): Array[Int] = {
       reader.drain()
-      val due = controller.pixels + 3 * c.pixels
+      val due   = controller.pixels + 3 * c.pixels
       var looks = 0
       while (controller.pixels < due) {
         assert(looks < 200, "no frame")
@@ -80,7 +81,9 @@ class SmallVoxelConsoleTest extends AnyFunSuite {
       assert(session.picture().sameElements(shown(world, start)))
       val (clocks, pixels) = (session.clocks, session.controller.pixels)
       session.picture()
-      info(f"${(session.clocks - clocks).toDouble / (session.controller.pixels - pixels)}%.2f clocks a pixel at the pins")
+      info(
+        f"${(session.clocks - clocks).toDouble / (session.controller.pixels - pixels)}%.2f clocks a pixel at the pins"
+      )
       dut.clockDomain.waitSampling(3001)
       session.reset()
       assert(session.picture().sameElements(shown(world, start)))
@@ -91,7 +94,8 @@ class SmallVoxelConsoleTest extends AnyFunSuite {
     compiled.doSim("load", 2) { dut =>
       val session = new Session(dut)
       val view    = camera(8, 30)
-      for ((word, address) <- LeapWords(world, c.leaps).zipWithIndex) session.send(VoxelHostCommand.write(address, word))
+      for ((word, address) <- LeapWords(world, c.leaps).zipWithIndex)
+        session.send(VoxelHostCommand.write(address, word))
       session.send(VoxelHostCommand.camera(view))
       assert(session.picture().sameElements(shown(world, view)))
       assert(!dut.io.refused.toBoolean)

@@ -38,7 +38,9 @@ class SmallVoxelPipelineTest extends AnyFunSuite {
           assert(session.pointedAt == pointedAt.map(f => (Seq(f.x, f.y, f.z), f.face)), s"$view")
           val steps = pixels.map(_.steps).sum + model.pointedAtSteps(camera)
           assert(frame.steps == steps, s"$view")
-          info(f"pace $pace: ${frame.clocks.toDouble / c.pixels}%.2f clocks a pixel, ${steps.toDouble / c.pixels}%.2f steps, ${pixels.map(_.seen.size).sum.toDouble / c.pixels}%.2f faces")
+          info(
+            f"pace $pace: ${frame.clocks.toDouble / c.pixels}%.2f clocks a pixel, ${steps.toDouble / c.pixels}%.2f steps, ${pixels.map(_.seen.size).sum.toDouble / c.pixels}%.2f faces"
+          )
         }
       }
     }
@@ -67,7 +69,9 @@ class SmallVoxelPipelineTest extends AnyFunSuite {
     equal(c, 9, Seq(Hills(c.size, 1)))
   }
 
-  test("what changes while a frame is drawn is seen in the next one; a world being loaded is not kept waiting") {
+  test(
+    "what changes while a frame is drawn is seen in the next one; a world being loaded is not kept waiting"
+  ) {
     val c      = VoxelConfig(size = WorldSize(16, 8, 16), width = 40, height = 32)
     val random = new Random(seed)
     SmallVoxelSession.compile(c, Blocks.assets).doSim("changes", seed) { dut =>
@@ -97,7 +101,8 @@ class SmallVoxelPipelineTest extends AnyFunSuite {
         session.camera(cameras.last, commit = false)
         assert(dut.io.busy.toBoolean)
         val frame = session.finish()
-        val wrong = expected.indices.filter(i => SmallVoxelSession.shown(expected(i).color) != frame.picture(i))
+        val wrong =
+          expected.indices.filter(i => SmallVoxelSession.shown(expected(i).color) != frame.picture(i))
         assert(wrong.isEmpty, s"seed $seed, $camera")
       }
       // More edits than can wait, in one frame: all are there at its end.

@@ -25,7 +25,15 @@ case class VoxelTop(
 
   val clocking = new IcebreakerClock(io.clk, io.resetn, coreMHz, tech)
   val core     = new ClockingArea(clocking.domain) {
-    val console = SmallVoxelConsole(config, Blocks.assets, VoxelCamera.level(config, focal), panel, tech, baud, fast = fast)
+    val console = SmallVoxelConsole(
+      config,
+      Blocks.assets,
+      VoxelCamera.level(config, focal),
+      panel,
+      tech,
+      baud,
+      fast = fast
+    )
     console.io.uart := io.uart
     io.refused_n    := RegNext(console.io.refused === 0, True)
     io.display      := console.io.display
