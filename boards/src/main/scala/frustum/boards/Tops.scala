@@ -5,6 +5,7 @@ object Tops {
   val all: Seq[BoardTop] = Seq(
     icebreaker.IcebreakerTops.raster,
     icebreaker.IcebreakerTops.pong,
+    icebreaker.IcebreakerTops.voxel,
     arty.ArtyTops.pong,
     arty.ArtyTops.voxel
   )

@@ -4,18 +4,24 @@ import spinal.core._
 
 /** The clock at a pin, inverted, so that its rising edge falls into the middle of what registers put beside it: by the
   * pad's double data rate registers on an iCE40; elsewhere plain logic.
+  *
+  * @param gated only the clocks at whose start `enable`, a register's, rises or stays high
   */
-case class ClockOutput(tech: Tech) extends Component {
-  val io  = new Bundle { val pin = out Bool () }
+case class ClockOutput(tech: Tech, gated: Boolean = false) extends Component {
+  val io = new Bundle {
+    val enable = gated generate in(Bool())
+    val pin    = out Bool ()
+  }
+  private val on = if (gated) io.enable else True
   val now = ClockDomain.current.readClockWire
   tech match {
     case Tech.Ice40 =>
       val cell = Ice40DoubleRateOutput()
       cell.io.OUTPUTCLK := now
       cell.io.DOUT0     := False
-      cell.io.DOUT1     := True
+      cell.io.DOUT1     := on
       io.pin            := cell.io.PACKAGEPIN
-    case _: Tech.Inferred => io.pin := !now
+    case _: Tech.Inferred => io.pin := (if (gated) !now && on else !now)
   }
 }
 

@@ -6,18 +6,23 @@ import spinal.core._
   * On the iCE40UP5K it is built of SPRAM blocks of 16 K x 16, elsewhere inferred.
   *
   * @param width a multiple of 16
+  * @param maskBits of a word that a bit of the mask stands for: 16, 8 or 4
   */
-case class SinglePortRam(words: Int, width: Int, tech: Tech) extends Component {
+case class SinglePortRam(words: Int, width: Int, tech: Tech, maskBits: Int = 16) extends Component {
   require(width % 16 == 0, s"SinglePortRam: width $width is not a multiple of 16")
+  require(Seq(4, 8, 16).contains(maskBits), s"SinglePortRam: mask of $maskBits bits is not of 4, 8 or 16")
   val addressBits = log2Up(words)
   val io = new Bundle {
     val enable    = in Bool ()
     val write     = in Bool ()
     val address   = in UInt (addressBits bits)
     val writeData = in Bits (width bits)
-    val mask      = in Bits (width / 16 bits)
+    val mask      = in Bits (width / maskBits bits)
     val readData  = out Bits (width bits)
   }
+
+  /** Where no vendor's cells are used. */
+  val inferred = (tech != Tech.Ice40) generate Mem(Bits(width bits), words)
 
   tech match {
     case Tech.Ice40 =>
@@ -30,8 +35,9 @@ case class SinglePortRam(words: Int, width: Int, tech: Tech) extends Component {
           ram.io.CLOCK      := ClockDomain.current.readClockWire
           ram.io.ADDRESS    := io.address.resize(14).asBits
           ram.io.DATAIN     := io.writeData(lane * 16, 16 bits)
-          ram.io.MASKWREN   := B(0xf, 4 bits)
-          ram.io.WREN       := io.write && io.mask(lane) && select === block
+          val mask = io.mask(lane * 16 / maskBits, 16 / maskBits bits)
+          ram.io.MASKWREN   := (if (maskBits == 16) B(0xf, 4 bits) else Cat((0 until 4).map(n => mask(n * 4 / maskBits))))
+          ram.io.WREN       := io.write && (if (maskBits == 16) mask.lsb else True) && select === block
           ram.io.CHIPSELECT := io.enable // all blocks read: the address need not reach this pin
           ram.io.STANDBY    := False
           ram.io.SLEEP      := False
@@ -42,8 +48,7 @@ case class SinglePortRam(words: Int, width: Int, tech: Tech) extends Component {
       }
       io.readData := Cat(lanes)
     case _: Tech.Inferred =>
-      val ram = Mem(Bits(width bits), words)
-      io.readData := ram.readWriteSync(
+      io.readData := inferred.readWriteSync(
         io.address, io.writeData, io.enable, io.write, mask = io.mask, readUnderWrite = dontCare
       )
   }

@@ -1,5 +1,6 @@
 package frustum.display
 
+import frustum.blackbox.{ClockOutput, Tech}
 import spinal.core._
 import spinal.lib._
 
@@ -12,9 +13,11 @@ case class DisplayByte() extends Bundle {
 /** Serialises bytes, SPI mode 0, most significant bit first, `clocksPerBit` clocks a bit, without a clock between bytes
   * that come in time: one of `8 * clocksPerBit` clocks. `cs` rises when none comes. (SpiMasterCtrl of spinal.lib needs
   * idle clocks between bytes.)
+  *
+  * With one clock a bit SCK is the clock itself, see [[frustum.blackbox.ClockOutput]].
   */
-case class ByteShifter(clocksPerBit: Int) extends Component {
-  require(clocksPerBit >= 2 && isPow2(clocksPerBit), s"ByteShifter: $clocksPerBit clocks a bit are not 2, 4, 8 ...")
+case class ByteShifter(clocksPerBit: Int, tech: Tech) extends Component {
+  require(clocksPerBit >= 1 && isPow2(clocksPerBit), s"ByteShifter: $clocksPerBit clocks a bit are not 1, 2, 4, 8 ...")
   val io = new Bundle {
     val bytes             = slave(Stream(DisplayByte()))
     val sck, mosi, dc, cs = out Bool ()
@@ -28,14 +31,19 @@ case class ByteShifter(clocksPerBit: Int) extends Component {
   io.bytes.ready := !active || count.andR
   when(active) {
     count := count + 1
-    when(count(phaseBits - 1 downto 0).andR)(shift := shift |<< 1)
+    when(if (phaseBits == 0) True else count(phaseBits - 1 downto 0).andR)(shift := shift |<< 1)
   }
   when(io.bytes.ready)(active := io.bytes.valid)
   when(io.bytes.fire) {
     shift := io.bytes.value
     data  := io.bytes.data
   }
-  io.sck  := count(phaseBits - 1)
+  io.sck  := (if (phaseBits > 0) count(phaseBits - 1)
+             else {
+               val clock = ClockOutput(tech, gated = true)
+               clock.io.enable := active
+               clock.io.pin
+             })
   io.mosi := shift.msb
   io.dc   := data
   io.cs   := !active

@@ -1,8 +1,8 @@
 package frustum.display
 
+import frustum.blackbox.Tech
 import frustum.frame.ResolvedPixel
-import frustum.spec.Panel
-import frustum.spec.RasterConfig
+import frustum.spec.{Panel, ScreenTiles}
 import spinal.core._
 import spinal.lib._
 
@@ -14,15 +14,17 @@ import spinal.lib._
   * `16 * clocksPerBit` clocks, and 11 bytes a window.
   *
   * @param clockHz      the clock's frequency
-  * @param clocksPerBit a power of two from 2 up: SCK is the clock divided by it
+  * @param clocksPerBit a power of two: SCK is the clock divided by it
+  * @param tech         matters with one clock a bit alone
   * @param fast         shortens the pauses by this factor, for simulation
   */
 case class SpiDisplay(
-    config: RasterConfig,
+    config: ScreenTiles,
     panel: Panel,
     clockHz: Long,
     clocksPerBit: Int = 2,
-    fast: Int = 1
+    fast: Int = 1,
+    tech: Tech = Tech.Generic
 ) extends Component {
   val io = new Bundle {
     val pixels = slave(Stream(ResolvedPixel(config)))
@@ -30,7 +32,7 @@ case class SpiDisplay(
   }
   import DisplayState._
 
-  val shifter = ByteShifter(clocksPerBit)
+  val shifter = ByteShifter(clocksPerBit, tech)
   io.pins.sck  := shifter.io.sck
   io.pins.mosi := shifter.io.mosi
   io.pins.dc   := shifter.io.dc

@@ -35,10 +35,10 @@ case class VoxelPipeline(
   }
   val rays      = PixelRays(c)
   val setup     = RaySetup(c, tech)
-  val marcher   = Marcher(c, kinds)
+  val marcher   = Marcher(c, kinds, tech)
   val memory    = WorldMemory(c)
-  val texels    = FaceTexel(c, Marcher.Slots)
-  val composite = LayerComposite(c, kinds, textures, Marcher.Slots)
+  val texels    = FaceTexel(c, MarcherStages.Fast.slots)
+  val composite = LayerComposite(c, kinds, textures, MarcherStages.Fast.slots)
 
   val starting = io.start && !io.busy
   val camera   = RegNextWhen(io.camera, starting)
@@ -57,22 +57,13 @@ case class VoxelPipeline(
 
   memory.io.write << io.edit.haltWhen(io.busy).toFlow.stage() // written before the first ray can read
 
-  val pick = new Area {
-    val hit        = texels.io.down
-    val selectable = BlockFlags(kinds).where(_.selectable)(hit.id)
-    val found      = Reg(PointedAt(c))
-    found.valid init False
-    when(rays.io.start)(found.valid := False)
-    when(hit.valid && hit.pick && hit.shown && selectable && !found.valid && hit.far <= 256 * reach * reach) {
-      found.valid := True
-      found.block := hit.block
-      found.face  := hit.face
-    }
-    rays.io.picked := RegNext(hit.valid && hit.pick && hit.last, False)
-  }
-  io.pointedAt                                     := pick.found
-  composite.io.pointedAt                           := pick.found
-  composite.io.pointedAt.valid.removeAssignments() := pick.found.valid && io.highlight
+  val pick = FacePicker(c, kinds, MarcherStages.Fast.slots, reach)
+  pick.io.start     := rays.io.start
+  pick.io.hits << texels.io.down
+  rays.io.picked    := pick.io.picked
+  io.pointedAt                                     := pick.io.found
+  composite.io.pointedAt                           := pick.io.found
+  composite.io.pointedAt.valid.removeAssignments() := pick.io.found.valid && io.highlight
 
   val drawing = new Area {
     val busy = RegInit(False) setWhen io.start

@@ -18,7 +18,7 @@ sealed abstract class Panel(
 ) {
 
   /** Whether a screen of this size is shown in landscape; it starts at the panel's top left corner. */
-  def isLandscape(config: RasterConfig): Boolean = {
+  def isLandscape(config: ScreenTiles): Boolean = {
     import config.{height, width}
     require(
       width.min(height) <= Panel.ShortSide && width.max(height) <= Panel.LongSide,
@@ -27,7 +27,7 @@ sealed abstract class Panel(
     width > Panel.ShortSide
   }
 
-  def start(config: RasterConfig): Seq[PanelCommand] =
+  def start(config: ScreenTiles): Seq[PanelCommand] =
     Seq(
       PanelCommand(Panel.SleepOut),
       PanelCommand(Panel.PixelFormat, 0x55),

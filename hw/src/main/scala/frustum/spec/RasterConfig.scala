@@ -17,7 +17,7 @@ final case class RasterConfig(
     textureTexels: Int = 32768,
     fixed: FixedState = FixedState.None,
     formats: PlaneFormats = PlaneFormats()
-) {
+) extends ScreenTiles {
   require(tileLog2Width >= 3 && tileLog2Width <= 5, s"tile width 2^$tileLog2Width is outside 8..32")
   require(tileLog2Height >= 3 && tileLog2Height <= 5, s"tile height 2^$tileLog2Height is outside 8..32")
   val tileWidth: Int  = 1 << tileLog2Width

@@ -15,6 +15,9 @@ final case class VoxelCamera(
     down: IntVector
 ) {
 
+  /** As a host sends them. */
+  def numbers: Seq[Int] = Seq(eye, look, base, right, down).flatMap(_.axes)
+
   def direction(i: Int, j: Int): Seq[Int] =
     Seq((base.x, right.x, down.x), (base.y, right.y, down.y), (base.z, right.z, down.z)).map {
       case (b, r, d) =>

@@ -22,6 +22,5 @@ object VoxelHostCommand {
   }
 
   def write(address: Int, word: Int): Seq[Int] = bytes(Write, Seq(address, word))
-  def camera(c: VoxelCamera): Seq[Int]         =
-    bytes(Camera, Seq(c.eye, c.look, c.base, c.right, c.down).flatMap(_.axes))
+  def camera(c: VoxelCamera): Seq[Int]         = bytes(Camera, c.numbers)
 }

@@ -26,6 +26,12 @@ case class TexelHit(c: VoxelConfig, slots: Int) extends Bundle {
 
 object TexelHit {
   val FarBits = 22
+
+  /** u and v of a texel within its block, x, y, z, on a face. */
+  def uv(face: UInt, inside: collection.Seq[UInt]): (UInt, UInt) = {
+    val (x, y, z) = (inside(0), inside(1), inside(2))
+    (face.mux(0 -> ~y, 1 -> y, 2 -> x, 3 -> ~x, 4 -> x, default -> ~x), Mux(face(2), y, ~z))
+  }
 }
 
 /** Texels of faces, one a clock, latency 10 clocks, 5 multiplications.
@@ -142,7 +148,8 @@ case class FaceTexel(c: VoxelConfig, slots: Int) extends Component {
 
   val result = new Area {
     val node          = line.nodes.last
-    val (in, x, y, z) = (node(HIT), node(INSIDE)(0), node(INSIDE)(1), node(INSIDE)(2))
+    val in            = node(HIT)
+    val (u, v)        = TexelHit.uv(node(FACE), node(INSIDE))
     val out           = io.down.payload
     io.down.valid := node.isValid
     out.slot      := in.slot
@@ -152,8 +159,8 @@ case class FaceTexel(c: VoxelConfig, slots: Int) extends Component {
     out.pick      := in.ray.pick
     out.face      := node(FACE)
     out.block     := node(BLOCK)
-    out.u         := node(FACE).mux(0 -> ~y, 1 -> y, 2 -> x, 3 -> ~x, 4 -> x, default -> ~x)
-    out.v         := Mux(node(FACE)(2), y, ~z)
+    out.u         := u
+    out.v         := v
     out.far       := node(SQUARE).reduce(_ + _)
     out.shown     := in.face && out.far <= c.farSquared
   }

@@ -51,33 +51,12 @@ case class LayerComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelText
   line(0).valid := io.up.valid
   line(0)(HIT)  := io.up.payload
 
-  private def rom(bits: Int, words: Seq[Int]) = Mem(Bits(bits bits), words.map(B(_, bits bits)))
-
-  /** Texture by id and face, colour index by texel, colour by texture and index: one memory a node. */
-  val texture = new Area {
-    val hit  = line(0)(HIT)
-    val byId = rom(
-      5,
-      (0 to BlockTable.Most).flatMap { id =>
-        (0 until 8).map(f => if (kinds.ids.contains(id) && f < 6) kinds(id).textures(f) else 0)
-      }
-    )
-    val number = byId.readSync(hit.id @@ hit.face) // at node 1
-    val texels = rom(
-      4,
-      (0 until VoxelTextures.Most).flatMap { t =>
-        if (t < textures.indices.length) textures.indices(t) else Seq.fill(256)(0)
-      }
-    )
-    val index  = texels.readSync((number ## line(1)(HIT).v ## line(1)(HIT).u).asUInt) // at node 2
-    val colors = rom(
-      16,
-      (0 until VoxelTextures.Most).flatMap { t =>
-        if (t < textures.palettes.length) textures.palettes(t) else Seq.fill(16)(0)
-      }
-    )
-    val rgba = colors.readSync((RegNext(number) ## index).asUInt) // at node 3
-  }
+  val tables = VoxelTables(kinds, textures)
+  tables.io.id   := line(0)(HIT).id
+  tables.io.face := line(0)(HIT).face
+  tables.io.u    := line(0)(HIT).u
+  tables.io.v    := line(0)(HIT).v
+  private val rgba = tables.io.rgba // at node 3
 
   val distance = new Area {
     val hit = line(1)(HIT)
@@ -91,7 +70,7 @@ case class LayerComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelText
 
   val lit = new Area {
     val node  = line(3)
-    val alpha = texture.rgba(3 downto 0).asUInt
+    val alpha = rgba(3 downto 0).asUInt
     node(ALPHA) := Mux(node(HIT).shown, alpha.resize(5) + alpha.msb.asUInt, U(16))
     val lights = VoxelConfig.Light.distinct
     val which  = node(HIT).face.mux(
@@ -103,7 +82,7 @@ case class LayerComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelText
     for ((at, i) <- Seq(12, 8, 4).zipWithIndex) {
       val table =
         Vec(for (l <- 0 until 4; v <- 0 until 16) yield U(v * 17 * lights.lift(l).getOrElse(0) >> 8, 8 bits))
-      node(LIT)(i) := table(which @@ texture.rgba(at, 4 bits).asUInt)
+      node(LIT)(i) := table(which @@ rgba(at, 4 bits).asUInt)
     }
   }
 

@@ -1,27 +1,33 @@
 package frustum.voxel
 
-import frustum.fixed.LockstepPipeline
+import frustum.blackbox.Tech
+import frustum.fixed.{LockstepPipeline, WideMultiplier}
 import frustum.spec.{BlockTable, VoxelConfig}
 import spinal.core._
 import spinal.lib._
 import spinal.lib.misc.pipeline._
 
-/** Marches [[Marcher.Slots]] rays in turn, a step of one of them each clock: a pipeline that feeds its own entrance, where a new
+/** Marches [[MarcherStages.slots]] rays in turn, a step of one of them each clock: a pipeline that feeds its own entrance, where a new
   * ray enters whenever one has ended. It never waits, and neither may what takes its hits.
   *
   * A step looks at the block the ray is in. From air it goes on to the far side of the largest cube of air that
   * the memory tells of, as far as borders of the fast axis go; from other blocks to the next one, whose border is
   * found by whether positions cross a whole number before the next border of the fast axis, and if both do, by
   * comparing the products of the ways and the slopes, which is exact. The model is `frustum.model.voxel.Marcher`.
+  *
+  * With `stages.retries` a ray makes its step again, a turn later, when its word was not `granted` or its hit not
+  * `accepted`, both told in the clock in which they are asked for.
   */
-case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
-  import Marcher._
+case class Marcher(c: VoxelConfig, kinds: BlockTable, tech: Tech, stages: MarcherStages = MarcherStages.Fast)
+    extends Component {
   private val table = BlockFlags(kinds)
   val io            = new Bundle {
-    val up     = slave(Stream(RayStart(c)))
-    val memory = master(WorldReadBus(c))
-    val hits   = master(Flow(FaceHit(c, Slots)))
-    val step   = out Bool () // a step is made
+    val up       = slave(Stream(RayStart(c)))
+    val memory   = master(WorldReadBus(c))
+    val hits     = master(Flow(FaceHit(c, stages.slots)))
+    val step     = out Bool () // a step is made
+    val granted  = stages.retries generate in(Bool())
+    val accepted = stages.retries generate in(Bool())
   }
   private val whole                 = c.blockBits
   private val shift                 = c.fractionBits
@@ -32,64 +38,69 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
   val END                     = Payload(SInt(c.endBits bits))
   val ENTRY                   = Payload(UInt(2 bits))                       // 3: the ray starts in this block
   val PREVIOUS                = Payload(UInt(BlockTable.IdBits bits))
-  val SLOT                    = Payload(UInt(log2Up(Slots) bits))
+  val SLOT                    = Payload(UInt(log2Up(stages.slots) bits))
   val BLOCK                   = Payload(Vec(SInt(whole bits), 3))           // fast axis first
   val INSIDE, OUT, FACE, LAST = Payload(Bool())
   val ID                      = Payload(UInt(BlockTable.IdBits bits))
   val REACH                   = Payload(UInt(5 bits))
   val RUN                     = Payload(Vec(UInt(c.slopeBits + 5 bits), 2)) // of the slopes over the reach
-  val TO          = Payload(Vec(UInt(shift + 1 bits), 2)) // ways to the next borders of the other axes
-  val FAR         = Payload(Vec(SInt(whole + shift bits), 2))
-  val CROSS       = Payload(Vec(UInt(shift + 1 + c.slopeBits bits), 2))
-  val FITS, FIRST = Payload(Bool())
-  val BACK        = Payload(Vec(SInt(whole + shift bits), 2))
+  val TO            = Payload(Vec(UInt(shift + 1 bits), 2)) // ways to the next borders of the other axes
+  val FAR           = Payload(Vec(SInt(whole + shift bits), 2))
+  val CROSS         = Payload(Vec(UInt(shift + 1 + c.slopeBits bits), 2))
+  val FITS, FIRST   = Payload(Bool())
+  val BACK          = Payload(Vec(SInt(whole + shift bits), 2))
+  val DENIED, AGAIN = Payload(Bool())                       // the word was; so the step is to be made again
 
-  val line = new LockstepPipeline(Slots)
+  val line = new LockstepPipeline(stages.slots)
   val tail = line.nodes.last
 
   /** A ray that goes round, or a new one. */
   val entrance = new Area {
-    val again = tail.isValid && !tail(LAST)
-    val slot  = RegInit(U(0, log2Up(Slots) bits))
-    slot := Mux(slot === Slots - 1, U(0), slot + 1)
+    val again = tail.isValid && (!tail(LAST) || tail(AGAIN))
+    val slot  = RegInit(U(0, log2Up(stages.slots) bits))
+    slot := Mux(slot === stages.slots - 1, U(0), slot + 1)
     val next = VoxelPlace(c) // after the step that ends at the tail
-    val leap = tail(FITS) || tail(REACH) =/= 1
+    val leap = !tail(AGAIN) && (tail(FITS) || tail(REACH) =/= 1)
     next.plane := tail(PLACE).plane + Mux(leap, tail(REACH) - (!tail(FITS)).asUInt, U(0)).resize(whole).asSInt
     for (i <- 0 to 1) {
-      next.at(i)   := Mux(tail(FITS), tail(FAR)(i), Mux(leap, tail(BACK)(i), tail(PLACE).at(i)))
-      next.past(i) := !leap && (tail(PLACE).past(i) || (tail(FIRST) ^ Bool(i == 1)))
+      next.at(i)   := Mux(leap, Mux(tail(FITS), tail(FAR)(i), tail(BACK)(i)), tail(PLACE).at(i))
+      next.past(i) := !leap && (tail(PLACE).past(i) || !tail(AGAIN) && (tail(FIRST) ^ Bool(i == 1)))
     }
-    io.up.ready       := !again
-    line(0).valid     := again || io.up.valid
-    line(0)(RAY)      := Mux(again, tail(RAY), io.up.ray)
-    line(0)(PLACE)    := Mux(again, next, io.up.place)
-    line(0)(END)      := Mux(again, tail(END), io.up.end)
-    line(0)(ENTRY)    := Mux(again, Mux(leap, U(0, 2 bits), Mux(tail(FIRST), U(1), U(2))), U(3))
-    line(0)(PREVIOUS) := Mux(again, tail(ID), U(0))
+    io.up.ready    := !again
+    line(0).valid  := again || io.up.valid
+    line(0)(RAY)   := Mux(again, tail(RAY), io.up.ray)
+    line(0)(PLACE) := Mux(again, next, io.up.place)
+    line(0)(END)   := Mux(again, tail(END), io.up.end)
+    val entry = Mux(leap, U(0, 2 bits), Mux(tail(FIRST), U(1), U(2)))
+    line(0)(ENTRY)    := Mux(again, Mux(tail(AGAIN), tail(ENTRY), entry), U(3))
+    line(0)(PREVIOUS) := Mux(again, Mux(tail(AGAIN), tail(PREVIOUS), tail(ID)), U(0))
     line(0)(SLOT)     := slot
-    io.step           := line(0).isValid
+    io.step           := tail.isValid && !tail(AGAIN)
   }
 
   val where = new Area {
-    val place = line(1)(PLACE)
-    line(1)(BLOCK)(0)                       := place.plane
-    for (i <- 0 to 1) line(1)(BLOCK)(i + 1) := floor(place.at(i)) + place.past(i).asUInt.resize(whole).asSInt
+    val node  = line(stages.where)
+    val place = node(PLACE)
+    node(BLOCK)(0)                       := place.plane
+    for (i <- 0 to 1) node(BLOCK)(i + 1) := floor(place.at(i)) + place.past(i).asUInt.resize(whole).asSInt
   }
 
   val look = new Area {
-    val block  = line(2)(BLOCK)
-    val xyz    = for (k <- 0 to 2) yield RayAxes.xyz(line(2)(RAY).fast, block, k)
+    val node   = line(stages.look)
+    val block  = node(BLOCK)
+    val xyz    = for (k <- 0 to 2) yield RayAxes.xyz(node(RAY).fast, block, k)
     val beyond = Vec((0 to 2).map(k => !xyz(k).msb && (xyz(k) >> c.size.logs(k)) =/= 0))
-    line(2)(INSIDE)   := !xyz.map(_.msb).reduce(_ || _)
-    line(2)(OUT)      := beyond.asBits.orR || block(0).resize(c.endBits) > line(2)(END)
+    node(INSIDE)      := !xyz.map(_.msb).reduce(_ || _)
+    node(OUT)         := beyond.asBits.orR || block(0).resize(c.endBits) > node(END)
+    node(DENIED)      := (if (stages.retries) !io.granted else False)
     io.memory.address := Cat((2 to 0 by -1).map { k =>
       val low = xyz(k)(c.size.logs(k) - 1 downto 0).asBits
-      Mux(line(2)(RAY).mirrored(k), ~low, low)
+      Mux(node(RAY).mirrored(k), ~low, low)
     }).asUInt
   }
 
   val decide = new Area {
-    val node   = line(2 + MemoryLatency)
+    val node   = line(stages.look + Marcher.MemoryLatency)
     val word   = io.memory.word
     val block  = node(INSIDE) && word.msb
     val id     = word(BlockTable.IdBits - 1 downto 0).asUInt
@@ -109,20 +120,17 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
   }
 
   val steps = new Area {
-    val node = line(4)
-    for (i <- 0 to 1) {
-      node(RUN)(i) := node(REACH) * node(RAY).slopes(i)
-      val fraction = node(PLACE).at(i)(shift - 1 downto 0).asUInt
-      node(TO)(i) := U(1 << shift, shift + 1 bits) - fraction.resize(shift + 1) - node(RAY).low(i).asUInt
-    }
-    io.hits.valid                      := node.isValid && (node(FACE) || node(LAST))
-    io.hits.ray                        := node(RAY)
-    io.hits.slot                       := node(SLOT)
-    io.hits.face                       := node(FACE)
-    io.hits.last                       := node(LAST)
-    io.hits.id                         := node(ID)
-    io.hits.entry                      := node(ENTRY)
-    io.hits.at                         := node(PLACE).at
+    val node = line(stages.steps)
+    for (i <- 0 to 1) node(RUN)(i) := node(REACH) * node(RAY).slopes(i)
+    io.hits.valid                  := node.isValid && (node(FACE) || node(LAST)) && !node(DENIED)
+    node(AGAIN)   := (if (stages.retries) node(DENIED) || io.hits.valid && !io.accepted else False)
+    io.hits.ray   := node(RAY)
+    io.hits.slot  := node(SLOT)
+    io.hits.face  := node(FACE)
+    io.hits.last  := node(LAST)
+    io.hits.id    := node(ID)
+    io.hits.entry := node(ENTRY)
+    io.hits.at    := node(PLACE).at
     for (k <- 0 to 2) io.hits.block(k) := node(BLOCK)(k).asUInt.resized
   }
 
@@ -130,15 +138,31 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
   private def move(slopes: UInt): SInt = (slopes ## B(0, c.eyeBits bits)).asUInt.resize(whole + shift).asSInt
 
   val far = new Area {
-    val node = line(5)
+    val node = line(stages.far)
+    for (i <- 0 to 1) node(FAR)(i) := node(PLACE).at(i) + move(node(RUN)(i))
+  }
+
+  /** Ways to the next borders, each times the other slope: two clocks. */
+  val cross = new Area {
+    val node = line(stages.choose - 2)
     for (i <- 0 to 1) {
-      node(FAR)(i)   := node(PLACE).at(i) + move(node(RUN)(i))
-      node(CROSS)(i) := node(TO)(i) * node(RAY).slopes(1 - i)
+      val fraction = node(PLACE).at(i)(shift - 1 downto 0).asUInt
+      val slope    = node(RAY).slopes(1 - i)
+      node(TO)(i) := U(1 << shift, shift + 1 bits) - fraction.resize(shift + 1) - node(RAY).low(i).asUInt
+      if (stages.narrow) {
+        val product = WideMultiplier(tech, shift + 2)
+        product.io.a                  := (False ## node(TO)(i)).asSInt
+        product.io.b                  := slope.resized
+        line(stages.choose)(CROSS)(i) := product.io.product.asUInt.resized
+      } else {
+        val after = line(stages.choose - 1)
+        after(CROSS)(i) := after(TO)(i) * after(RAY).slopes(1 - i)
+      }
     }
   }
 
   val choose = new Area {
-    val node    = line(6)
+    val node    = line(stages.choose)
     val crosses = Vec(Bool(), 2)
     val fits    = Vec(Bool(), 2)
     for (i <- 0 to 1) {
@@ -146,17 +170,44 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable) extends Component {
       fits(i)       := floor(node(FAR)(i)) - node(BLOCK)(i + 1) < node(REACH).resize(whole).asSInt
       crosses(i)    := !node(PLACE).past(i) && floor(node(FAR)(i)) =/= floor(node(PLACE).at(i))
     }
-    val before = Mux(node(RAY).fast =/= 1, node(CROSS)(0) <= node(CROSS)(1), node(CROSS)(0) < node(CROSS)(1))
+    // The first is before the second, or together with it and of an earlier axis: the carry of second - first - (0 or 1).
+    val ties   = node(RAY).fast =/= 1
+    val before = (((node(CROSS)(1) ## True).asUInt +^ (~node(CROSS)(0) ## ties).asUInt)).msb
     node(FITS)  := fits.asBits.andR
     node(FIRST) := crosses(0) && (!crosses(1) || before)
   }
   line.build()
 }
 
-object Marcher {
+/** How a step is spread over clocks: which node of the ring does what; node 0 is the entrance.
+  *
+  * @param where the block; @param look for its word; @param steps what it means; @param far where a leap ends
+  * @param choose where the ray is next
+  * @param slots rays at work, stages of the ring
+  * @param retries whether memory and hits may have to wait
+  * @param narrow multipliers of 16 x 16 bits
+  */
+final case class MarcherStages(
+    where: Int,
+    look: Int,
+    steps: Int,
+    far: Int,
+    choose: Int,
+    slots: Int,
+    retries: Boolean,
+    narrow: Boolean
+)
 
-  /** Rays at work: stages of the ring. */
-  val Slots = 7
+object MarcherStages {
+
+  /** For devices whose logic is fast. */
+  val Fast = MarcherStages(1, 2, 4, 5, 6, slots = 7, retries = false, narrow = false)
+
+  /** As few registers as go with some 25 MHz on an iCE40UP5K. */
+  val Small = MarcherStages(1, 1, 3, 3, 4, slots = 4, retries = true, narrow = true)
+}
+
+object Marcher {
 
   /** Clocks from address to word. */
   val MemoryLatency = 1

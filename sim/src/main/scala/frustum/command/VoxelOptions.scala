@@ -18,7 +18,7 @@ final case class VoxelOptions(
     size: (Int, Int) = (320, 240),
     focal: Option[Double] = None,
     distance: Int = 24,
-    leaps: String = VoxelOptions.leaps.head._1,
+    leaps: Option[String] = None,
     highlight: Boolean = false,
     engine: String = VoxelRun.Engines.head,
     path: Option[Path] = None,
@@ -27,7 +27,10 @@ final case class VoxelOptions(
     report: Option[Path] = None,
     seed: Long = 1
 ) {
-  def reportFile: Path = report.getOrElse(out.resolveSibling("voxel.json"))
+
+  /** The name of the leaps: as asked for, or the engine's. */
+  def leapsName: String = leaps.getOrElse(if (engine == "small") "up-down" else VoxelOptions.leaps.head._1)
+  def reportFile: Path  = report.getOrElse(out.resolveSibling("voxel.json"))
 }
 
 object VoxelOptions {
@@ -117,15 +120,15 @@ object VoxelOptions {
       option[String](
         "leaps",
         leaps.map(_._1).mkString("|"),
-        s"over air (default ${leaps.head._1})",
+        s"over air (default ${leaps.head._1}, with --engine small up-down)",
         Arguments.oneOf(leaps.map(l => l._1 -> l._1): _*)
-      )((o, v) => o.copy(leaps = v)),
+      )((o, v) => o.copy(leaps = Some(v))),
       opt[Unit]("highlight").action((_, o) => o.copy(highlight = true))
         .text(s"the face in the middle of the picture, if within ${VoxelConfig.Reach} blocks"),
       option[String](
         "engine",
         VoxelRun.Engines.mkString("|"),
-        s"what draws (default ${VoxelRun.Engines.head})",
+        s"what draws; small is icebreaker-voxel's pipeline (default ${VoxelRun.Engines.head})",
         Arguments.oneOf(VoxelRun.Engines.map(n => n -> n): _*)
       )((o, v) => o.copy(engine = v)),
       option[Path](

@@ -10,7 +10,7 @@ import java.nio.file.Path
 object VoxelReport {
 
   /** Whose clock the figures per second are reckoned with. */
-  private val Top = "arty-voxel"
+  private def top(engine: String) = if (engine == "small") "icebreaker-voxel" else "arty-voxel"
 
   def json(command: String, seed: Long, engine: String, c: VoxelConfig, drawn: Seq[VoxelDrawn]): ujson.Obj = {
     val report = ujson.Obj(
@@ -29,11 +29,18 @@ object VoxelReport {
       report("stepsPerRay") = n.steps.toDouble / n.rays
       report("plainSteps") = n.plainSteps.toDouble
       if (drawn.forall(_.clocks.isDefined)) {
-        val clock  = Clock.ofTop(Top)
+        val clock  = Clock.ofTop(top(engine))
         val clocks = drawn.flatMap(_.clocks).sum.toDouble
         report("clocksPerFrame") = clocks / drawn.length
         report("clocksPerStep") = clocks / n.steps
         report("framesPerSecond") = clock.mhz * 1e6 * drawn.length / clocks
+        if (drawn.forall(_.clocksAtPins.isDefined)) {
+          val atPins = drawn.flatMap(_.clocksAtPins).sum.toDouble
+          report("clocksPerFrameAtPins") = atPins / drawn.length
+          report("framesPerSecondAtPins") = clock.mhz * 1e6 * drawn.length / atPins
+          report("raysPerSecond") = clock.mhz * 1e6 * n.rays / clocks
+          report("raysPerSecondAtPins") = clock.mhz * 1e6 * n.rays / atPins
+        }
         report("clockMHz") = clock.mhz
         report("clockSource") = clock.source
       }

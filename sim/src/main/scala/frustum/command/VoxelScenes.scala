@@ -2,6 +2,7 @@ package frustum.command
 
 import frustum.{InputError, InputFile}
 import frustum.host.VoxelView
+import frustum.pipelines.SmallVoxelPipeline
 import frustum.scene.{BlockFile, Hills, VoxFile, VoxelWorld}
 import frustum.spec.{Blocks, VoxelAssets, VoxelConfig, WorldSize}
 import org.joml.Vector3d
@@ -34,13 +35,14 @@ object VoxelScenes {
           size,
           o.size._1,
           o.size._2,
-          VoxelOptions.leaps.toMap.apply(o.leaps),
+          VoxelOptions.leaps.toMap.apply(o.leapsName),
           o.distance
         )
       catch {
         case e: IllegalArgumentException =>
           throw InputError(s"--size: ${e.getMessage.stripPrefix("requirement failed: ")}")
       }
+    if (o.engine == "small") SmallVoxelPipeline.fault(config).foreach(fault => throw InputError(s"--engine small: $fault"))
     val focal = o.focal.getOrElse(225.0 * config.height / 240)
     val views = o.path match {
       case Some(file) => poses(file.toString, InputFile.text(file, "give a text file in UTF-8"), focal, config)

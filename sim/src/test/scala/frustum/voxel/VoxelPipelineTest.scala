@@ -5,28 +5,12 @@ import frustum.host.VoxelView
 import frustum.model.pipelines.VoxelModel
 import frustum.scene.{Hills, VoxelWorld}
 import frustum.spec.{Blocks, LeapField, VoxelConfig, WorldSize}
-import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random
 
 /** Pictures of the voxel pipeline against its model, every pixel. */
 class VoxelPipelineTest extends AnyFunSuite {
   private val seed = 1
-
-  private def views(c: VoxelConfig, random: Random, n: Int): Seq[VoxelView] = Seq.fill(n) {
-    val eye = c.size.axes.map { size =>
-      val e = random.nextInt(4) match {
-        case 0 => random.between(-32.0, size + 32.0) // as far away as an eye may be
-        case _ => random.between(-2.0, size + 2.0)
-      }
-      if (random.nextInt(4) == 0) e.round.toDouble else e // on a border of blocks
-    }
-    val (yaw, pitch) = random.nextInt(3) match {
-      case 0 => (90.0 * random.nextInt(4), 90.0 * (random.nextInt(3) - 1)) // along the axes
-      case _ => (random.between(0.0, 360.0), random.between(-90.0, 90.0))
-    }
-    VoxelView(new Vector3d(eye(0), eye(1), eye(2)), yaw, pitch, 0.9 * c.height)
-  }
 
   private def equal(c: VoxelConfig, views: Seq[VoxelView], worlds: Seq[VoxelWorld]): Unit =
     VoxelSession.compile(c, Blocks.assets).doSim("equal", seed) { dut =>
@@ -53,14 +37,11 @@ class VoxelPipelineTest extends AnyFunSuite {
           val steps   = pixels.map(_.steps).sum + picking
           assert(frame.steps == steps, s"$view")
           // Alone in the ring: the ray that picks, and at the end perhaps the longest.
-          val alone = Marcher.Slots * (picking + pixels.map(_.steps).max) + 100
+          val alone = MarcherStages.Fast.slots * (picking + pixels.map(_.steps).max) + 100
           assert(frame.clocks <= steps / 0.98 + alone, s"$view: ${frame.clocks} clocks for $steps steps")
         }
       }
     }
-
-  private def scatter(size: WorldSize, random: Random, density: Double) =
-    VoxelWorld.tabulate(size)((_, _, _) => if (random.nextDouble() < density) 1 + random.nextInt(24) else 0)
 
   for (
     c <- Seq(
@@ -92,11 +73,11 @@ class VoxelPipelineTest extends AnyFunSuite {
     )
   ) test(s"pictures and steps are the model's, $c") {
     val random = new Random(seed)
-    equal(c, views(c, random, 12), Seq(scatter(c.size, random, 0.05), scatter(c.size, random, 0.4)))
+    equal(c, VoxelViews(c, random, 12), Seq(0.05, 0.4).map(VoxelViews.scatter(c.size, random, _)))
   }
 
   test("hills at the size of the Arty's world") {
     val c = VoxelConfig(width = 64, height = 48)
-    equal(c, views(c, new Random(2), 8), Seq(Hills(c.size, 1)))
+    equal(c, VoxelViews(c, new Random(2), 8), Seq(Hills(c.size, 1)))
   }
 }

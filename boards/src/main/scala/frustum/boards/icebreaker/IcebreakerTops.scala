@@ -3,7 +3,7 @@ package frustum.boards.icebreaker
 import frustum.blackbox.Tech
 import frustum.boards.{BoardClock, BoardTop, Part}
 import frustum.pipelines.PongPipelineConfig
-import frustum.spec.{Panel, RasterConfig}
+import frustum.spec.{Panel, RasterConfig, VoxelConfig}
 
 /** What is built for the iCEBreaker. */
 object IcebreakerTops {
@@ -38,5 +38,17 @@ object IcebreakerTops {
     core = BoardClock(IcebreakerClock.Net, pongMHz, "PLL on the 12 MHz oscillator"),
     otherClocks = Nil,
     component = () => PongTop(pongConfig, pongMHz, Tech.Ice40)
+  )
+
+  /** A frequency that 500 kbaud are near an eighth of a whole number of. */
+  val voxelMHz = BigDecimal("28.125")
+
+  val voxel: BoardTop = BoardTop(
+    name = "icebreaker-voxel",
+    part = Part.Ice40Up5k,
+    constraints = "boards/icebreaker/voxel.pcf",
+    core = BoardClock(IcebreakerClock.Net, voxelMHz, "PLL on the 12 MHz oscillator"),
+    otherClocks = Nil,
+    component = () => VoxelTop(VoxelConfig(), Panel.St7789, focal = 225, voxelMHz, Tech.Ice40)
   )
 }

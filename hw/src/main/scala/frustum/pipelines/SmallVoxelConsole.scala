@@ -1,0 +1,67 @@
+package frustum.pipelines
+
+import frustum.blackbox.Tech
+import frustum.display.{DisplayPins, SpiDisplay}
+import frustum.spec.{Panel, VoxelAssets, VoxelCamera, VoxelConfig, VoxelHostCommand, WholeScreen}
+import frustum.voxel.SerialHost
+import spinal.core._
+import spinal.lib._
+import spinal.lib.com.uart.{UartCtrl, UartCtrlInitConfig, UartParityType, UartStopType}
+
+/** A world of blocks on a serial display: a host sends world and camera over a serial line, frame after frame goes to the display pixel by
+  * pixel as it is drawn. A frame is of one camera, and of one world unless one is being loaded.
+  *
+  * @param camera the one of the start
+  * @param clocksPerBit of the display's SCK
+  * @param fast   shortens the display's pauses, for simulation
+  */
+case class SmallVoxelConsole(
+    c: VoxelConfig,
+    assets: VoxelAssets,
+    camera: VoxelCamera,
+    panel: Panel,
+    tech: Tech,
+    baud: Int = 500000,
+    clocksPerBit: Int = 1,
+    fast: Int = 1
+) extends Component {
+  val io = new Bundle {
+    val uart    = in Bool ()
+    val display = out(DisplayPins())
+    val refused = out UInt (8 bits) // commands of the host
+  }
+  private val clockHz = ClockDomain.current.frequency.getValue.toLong
+  val screen          = WholeScreen(c.width, c.height)
+  val uart     = UartCtrl(UartCtrlInitConfig(baud, 7, UartParityType.NONE, UartStopType.ONE), readonly = true)
+  val host     = SerialHost(c, silence = (clockHz * VoxelHostCommand.SilenceMicros / 1000000).toInt)
+  val pipeline = SmallVoxelPipeline(c, assets, camera, tech)
+  val display  = SpiDisplay(screen, panel, clockHz, clocksPerBit, fast, tech)
+
+  /** The receiver looks eight times a bit. */
+  val looks = clockHz.toDouble / baud / 8
+  require(
+    (looks / looks.round - 1).abs < 0.01,
+    s"$baud baud at $clockHz Hz: $looks clocks from look to look are not near a whole number"
+  )
+  uart.io.uart.rxd := io.uart
+  uart.io.read >> host.io.bytes
+  host.io.edit >> pipeline.io.edit
+  host.io.camera >> pipeline.io.camera
+  pipeline.io.commit    := host.io.commit
+  pipeline.io.highlight := True
+  pipeline.io.start     := !pipeline.io.edit.valid
+  io.refused            := host.io.refused
+  io.display            := display.io.pins
+
+  /** Pixels on their way to the display: the first of each frame begins its window. */
+  val scan = new Area {
+    val left  = Reg(UInt(c.pixelBits bits)) init 0 // of the frame
+    val first = left === 0
+    when(pipeline.io.pixels.fire)(left := Mux(first, U(c.pixels - 1), left - 1))
+    display.io.pixels.arbitrationFrom(pipeline.io.pixels)
+    display.io.pixels.color := pipeline.io.pixels.payload
+    display.io.pixels.first := first
+    display.io.pixels.tileX := 0
+    display.io.pixels.tileY := 0
+  }
+}

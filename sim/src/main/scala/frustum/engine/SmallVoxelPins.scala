@@ -1,0 +1,52 @@
+package frustum.engine
+
+import frustum.blackbox.Tech
+import frustum.boards.icebreaker.VoxelTop
+import frustum.peripheral.SimTft
+import frustum.spec.{Panel, VoxelConfig}
+import spinal.core._
+import spinal.core.sim._
+
+/** `icebreaker-voxel` with a display at its pins. The display looks twice a clock of the core, whose two halves SCK tells apart. */
+case class SmallVoxelPins(c: VoxelConfig, focal: Int) extends Component {
+  val io = new Bundle {
+    val run     = in Bool ()                     // resetn
+    val uart    = in Bool ()
+    val refused = out Bool ()
+    val clocks  = out(Reg(UInt(32 bits)) init 0) // of the core
+  }
+  val top = VoxelTop(
+    c,
+    SmallVoxelPins.Panel,
+    focal,
+    SmallVoxelPins.CoreMHz,
+    Tech.Generic,
+    SmallVoxelPins.Baud,
+    SmallVoxelPins.Fast
+  )
+  val tft  = SimTft(gapLog2 = 8)
+  val half = RegInit(False)
+  half := !half
+  when(half)(io.clocks := io.clocks + 1)
+
+  // All run from one clock, which the top's clock tree hides from the check.
+  top.io.flatten.foreach(_.addTag(crossClockDomain))
+  top.io.clk    := half
+  top.io.resetn := io.run
+  top.io.uart   := io.uart
+  tft.io.pins   := top.io.display
+  io.refused    := !top.io.refused_n
+  top.core.console.pipeline.memory.ram.inferred.simPublic()
+  top.core.console.host.refused.simPublic()
+}
+
+object SmallVoxelPins {
+  val Panel: Panel = frustum.spec.Panel.St7789
+  val CoreMHz      = BigDecimal("28.125")
+
+  /** An eighth of half of the core clock. */
+  val Baud = 1757812
+
+  /** By how much the display's pauses at its start are shortened. */
+  val Fast = 4000
+}
