@@ -148,7 +148,8 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   }
 
   io.setUp := False
-  io.moved := False
+  val moved = False
+  io.moved := RegNext(moved, False) // as the job goes
   walker.io.start := False
 
   when(busy) {
@@ -222,7 +223,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
       token.valid := True
       when(token.ready) {
         parity := !parity
-        io.moved := True
+        moved := True
         finish()
       }
     }
