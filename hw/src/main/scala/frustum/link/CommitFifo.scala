@@ -7,7 +7,7 @@ import spinal.lib._
   * vanish at `rollback`, which both concern the words pushed in earlier clocks only. Holds at least `depth - 2` words.
   *
   * A push while `full` is lost; the writer is expected to look. `io.room` falls while fewer than `margin` words are
-  * free. Both are a clock late.
+  * free. The one is a clock late, the other two.
   * Read latency two clocks after the commit, one word a clock.
   *
   * @param depth a power of two; 256 words are one EBR of the iCE40
@@ -31,7 +31,8 @@ case class CommitFifo(depth: Int = 256, margin: Int = 16) extends Component {
 
   val free = fetched - written - 1
   io.full := RegNext(free <= 1) init False // late, so there is room for one more
-  io.room := RegNext(free >= margin) init False
+  val late = RegNext(free) init 0
+  io.room := RegNext(late >= margin) init False
 
   // A word is read a clock after its commit at the earliest, hence never in the clock in which it is written.
   val pushing = io.push.valid && !io.full

@@ -33,9 +33,11 @@ class CommitFifoClaims(depth: Int, margin: Int) extends Component {
     visible.getWidth
   ) +^ io.pop.valid.asUInt === visible.resized)
   assert((fifo.written.pull() - fifo.committed.pull()).resize(speculative.getWidth) === speculative)
+  val free = U(depth - 1) - stored
   when(pastValid && !past(clockDomain.isResetActive)) {
     assert(io.full === past(stored >= depth - 2))
-    assert(io.room === past(depth - 1 - stored >= margin))
+    assert(fifo.late.pull() === past(free).resized)
+    assert(io.room === past(fifo.late.pull() >= margin))
   }
 }
 
