@@ -71,17 +71,16 @@ case class SpiDisplay(
   bytes.data  := True
   bytes.value := io.pixels.color(7 downto 0)
   io.pixels.ready := False
-  // Zero whenever a pause begins, for the one before it ends with all ones.
-  val paused = (pause +^ 1).msb
+  val paused = RegNext(pause.andR, False)
 
   switch(state) {
     is(resetting) {
       pause := pause + 1
-      when(paused)(state := settling)
+      when(paused) { pause := 0; state := settling }
     }
     is(settling) {
       pause := pause + 1
-      when(paused)(state := starting)
+      when(paused) { pause := 0; state := starting }
     }
     is(starting) {
       bytes.valid := True

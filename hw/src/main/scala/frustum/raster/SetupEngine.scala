@@ -49,7 +49,8 @@ case class SetupEngine(slots: Int, tech: Tech, planes: Seq[Int] = SetupWords.All
   phase := !phase
   val pc, end = Reg(UInt(pcBits bits))
   val running, executing = RegInit(False)
-  val fetch = running && pc =/= end
+  val more  = RegNext(pc =/= end) // pc has stood still for a clock when it is looked at
+  val fetch = running && more
   when(phase) {
     executing := fetch
     running := fetch
@@ -59,6 +60,7 @@ case class SetupEngine(slots: Int, tech: Tech, planes: Seq[Int] = SetupWords.All
     def table(of: Seq[Int]) = Vec(of.map(U(_, pcBits bits)))(io.run.payload)
     pc := table(program.starts.init)
     end := table(program.starts.tail)
+    more := True
     running := True
   }
   val rom  = Mem(Bits(WordBits bits), image.map(i => B(encode(i), WordBits bits)))
