@@ -22,8 +22,11 @@ object Part {
     val bitstream = "bin"
   }
 
-  /** An Artix-7 of Xilinx in the package CSG324, speed grade 1. */
-  sealed abstract class Artix7(name: String) extends Part(name, s"${name.toLowerCase}csg324-1") {
+  /** An Artix-7 of Xilinx in the package CSG324, speed grade 1.
+    *
+    * @param blockRams of 36 kbit
+    */
+  sealed abstract class Artix7(name: String, val blockRams: Int) extends Part(name, s"${name.toLowerCase}csg324-1") {
     val figures = Seq(
       "luts"   -> Seq("SLICE_LUTX"),
       "ffs"    -> Seq("SLICE_FFX"),
@@ -35,8 +38,8 @@ object Part {
   }
 
   /** 20,800 LUT, 41,600 flip-flops, 50 block RAMs of 36 kbit, 90 DSP48E1. */
-  case object Artix7A35 extends Artix7("XC7A35T")
+  case object Artix7A35 extends Artix7("XC7A35T", 50)
 
   /** 63,400 LUT, 126,800 flip-flops, 135 block RAMs of 36 kbit, 240 DSP48E1. */
-  case object Artix7A100 extends Artix7("XC7A100T")
+  case object Artix7A100 extends Artix7("XC7A100T", 135)
 }

@@ -7,7 +7,8 @@ object Tops {
     icebreaker.IcebreakerTops.pong,
     icebreaker.IcebreakerTops.voxel,
     arty.ArtyTops.pong,
-    arty.ArtyTops.voxel
+    arty.ArtyTops.voxel,
+    arty.ArtyTops.voxel35
   )
 
   def find(name: String): Option[BoardTop] = all.find(_.name == name)

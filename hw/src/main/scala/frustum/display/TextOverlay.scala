@@ -16,7 +16,7 @@ case class TextOverlay(fields: Seq[TextField], bits: Int) extends Component {
   require(fields.nonEmpty, "text overlay without fields")
   val io = new Bundle {
     val x, y      = in UInt (bits bits)
-    val text      = in(Vec(fields.map(f => Vec(UInt(Font.CodeBits bits), f.length))))
+    val text      = in(TextOverlay.text(fields))
     val shown     = in Bits (fields.size bits)
     val cell, dot = out Bool ()
   }
@@ -47,6 +47,10 @@ case class TextOverlay(fields: Seq[TextField], bits: Int) extends Component {
 }
 
 object TextOverlay {
+
+  /** Codes of letters, field by field. */
+  def text(fields: Seq[TextField]): Vec[Vec[UInt]] =
+    Vec(fields.map(f => Vec.fill(f.length)(UInt(Font.CodeBits bits))))
 
   /** Field, letter's row, dot. */
   val Latency = 3

@@ -9,7 +9,7 @@ case class FramePixel(pixels: Int, bits: Int) extends Bundle {
   val color   = Bits(bits bits)
 }
 
-/** Two pictures: one is written while the other is read, and `swap` exchanges them in the next clock. A read takes two clocks. */
+/** Two pictures: one is written while the other is read, and `swap` exchanges them in the next clock. A read takes three clocks. */
 case class DoubleFrameBuffer(pixels: Int, bits: Int) extends Component {
   val io = new Bundle {
     val write   = slave(Flow(FramePixel(pixels, bits)))
@@ -22,6 +22,8 @@ case class DoubleFrameBuffer(pixels: Int, bits: Int) extends Component {
   private def place(upper: Bool, address: UInt) =
     Mux(upper, address.resize(log2Up(2 * pixels)) + pixels, address.resize(log2Up(2 * pixels)))
 
-  memory.write(place(!front, io.write.address), io.write.color, io.write.valid)
-  io.color := memory.readSync(RegNext(place(front, io.address)))
+  // Registers around the memory, for it is wide spread.
+  val written = RegNext(io.write.valid) init False
+  memory.write(RegNext(place(!front, io.write.address)), RegNext(io.write.color), written)
+  io.color := RegNext(memory.readSync(RegNext(place(front, io.address))))
 }

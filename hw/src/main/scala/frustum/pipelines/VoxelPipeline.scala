@@ -28,6 +28,7 @@ case class VoxelPipeline(
     val camera    = in(CameraPort(c))
     val highlight = in Bool ()
     val edit      = slave(Stream(WorldWrite(c)))
+    val look      = slave(WorldReadBus(c)) // while not busy
     val busy      = out Bool ()
     val pixels    = master(Flow(VoxelColor(c)))
     val pointedAt = out(PointedAt(c))
@@ -49,7 +50,9 @@ case class VoxelPipeline(
 
   rays.io.down >> setup.io.up
   setup.io.down >> marcher.io.up
-  marcher.io.memory <> memory.io.read
+  memory.io.read.address := Mux(io.busy, marcher.io.memory.address, io.look.address)
+  marcher.io.memory.word := memory.io.read.word
+  io.look.word           := memory.io.read.word
   marcher.io.hits >> texels.io.up
   texels.io.down >> composite.io.up
   composite.io.down >> io.pixels

@@ -51,9 +51,11 @@ object Font {
     '%' -> "18 19 02 04 08 13 03"
   )
 
+  def has(c: Char): Boolean = c == ' ' || glyphs.contains(c)
+
   /** Code of a letter; what is not drawn is refused. */
   def code(c: Char): Int = {
-    require(c == ' ' || glyphs.contains(c), s"the font has no '$c'")
+    require(has(c), s"the font has no '$c'")
     c - 32
   }
 

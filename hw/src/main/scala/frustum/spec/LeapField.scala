@@ -56,6 +56,9 @@ object LeapField {
   /** A word of 7 bits. */
   val UpDown = LeapField(mask = 4, bits = 3)
 
+  /** One for each pair of signs along x and z, a word of 9 bits, as wide as block RAMs are. */
+  val Quadrants = LeapField(mask = 5, bits = 2)
+
   /** A word of 17 bits. */
   val Octants = LeapField(mask = 7, bits = 2)
 }

@@ -77,6 +77,7 @@ case class RaySetup(c: VoxelConfig, tech: Tech) extends Component {
       Bits(32 bits),
       (0 until 256).map(i => B(ReciprocalTable.base(i).toLong << 13 | ReciprocalTable.slope(i), 32 bits))
     )
+    lines.addAttribute("ram_style", "block") // small enough that tools would make five levels of logic of it
     val word       = lines.readSync(line(3)(INDEX), enable) // at node 4
     val correction = Multiplier16(tech, signedA = false, signedB = false, add = true)
     correction.io.enable := enable

@@ -4,14 +4,14 @@ import frustum.engine.{EngineSim, VoxelSession}
 import frustum.game.VoxelKeys
 import frustum.host.VoxelView
 import frustum.live.LiveScreen
-import frustum.model.game.{VoxelButtons, VoxelPlayer, VoxelRules}
+import frustum.model.game.{PlayerCamera, VoxelPlayer}
 import frustum.model.pipelines.VoxelModel
-import frustum.spec.{IntVector, VoxelCamera, VoxelConfig}
+import frustum.scene.SeenFace
+import frustum.spec.{CameraProgram, Crosshair, IntVector, VoxelCamera, VoxelConfig, VoxelRules}
 import java.util.Locale
-import org.joml.Vector3d
 
-/** `play voxel`: walk, look, place and destroy in a world of blocks. The player is the workbench's; the picture is the simulated
-  * pipeline's, or the model's.
+/** `play voxel`: walk, look, place and destroy in a world of blocks. Player and camera are the model's, which the hardware's equal bit
+  * for bit; the picture is the simulated pipeline's, or the model's.
   */
 object PlayVoxel {
 
@@ -38,23 +38,25 @@ object PlayVoxel {
     val scale  = (640 / config.width).max(1)
     val screen = LiveScreen("Frustum: world of blocks", config.width, config.height, scale)
     try {
-      var model  = new VoxelModel(config, assets, scene.world)
-      var player = start(views.head)
+      views.head.camera(config) // refuses what the hardware does not take
+      val program = CameraProgram(config.width, config.height, views.head.focal)
+      var model   = new VoxelModel(config, assets, scene.world)
+      var player  = start(views.head)
+      var pointed = Option.empty[SeenFace]
       session.foreach(_.load(model.words))
       val started = System.nanoTime
       var shown   = 0
       while (screen.isOpen && frames.forall(shown < _)) {
-        val buttons = VoxelKeys(screen.keys())
-        val before  = player.held
-        player = player.tick(buttons, rules, VoxelPlayer.solid(assets.table, model.world(_, _, _)))
-        val camera          = view(player, views.head.focal).camera(config)
-        val (counted, edit) = player.edit(buttons, before, model.pointedAt(camera, VoxelConfig.Reach), rules)
-        player = counted
+        val (moved, edit) =
+          player.frame(VoxelKeys(screen.keys()), rules, assets.table, pointed, model.world(_, _, _))
+        player = moved
         for (e <- edit) {
           val old = model.words
           model = new VoxelModel(config, assets, model.world.updated(e.x, e.y, e.z, e.id))
           session.foreach(_.load(model.words, old))
         }
+        val camera = PlayerCamera(player, config, program)
+        pointed = model.pointedAt(camera, VoxelConfig.Reach)
         screen.show(
           crosshair(draw(model, camera, session), config),
           state(player, assets.table(player.item).name)
@@ -81,26 +83,16 @@ object PlayVoxel {
   private def start(v: VoxelView): VoxelPlayer = {
     def fixed(x: Double) = (256 * x).round.toInt
     VoxelPlayer(
-      IntVector(fixed(v.eye.x), fixed(v.eye.y), (fixed(v.eye.z) - VoxelPlayer.EyeHeight).max(0)),
-      yaw = (v.yaw / 360 * VoxelPlayer.Turn).round.toInt,
+      IntVector(fixed(v.eye.x), fixed(v.eye.y), (fixed(v.eye.z) - VoxelRules.EyeHeight).max(0)),
+      yaw = (v.yaw / 360 * VoxelRules.Turn).round.toInt,
       pitch =
-        (v.pitch / 360 * VoxelPlayer.Turn).round.toInt.max(-VoxelPlayer.MostPitch).min(VoxelPlayer.MostPitch)
+        (v.pitch / 360 * VoxelRules.Turn).round.toInt.max(-VoxelRules.MostPitch).min(VoxelRules.MostPitch)
     )
   }
 
-  private def view(p: VoxelPlayer, focal: Double): VoxelView = VoxelView(
-    new Vector3d(p.eye.x, p.eye.y, p.eye.z).div(256),
-    360.0 * p.yaw / VoxelPlayer.Turn,
-    360.0 * p.pitch / VoxelPlayer.Turn,
-    focal
-  )
-
-  /** 13 pixels in the middle, inverted: the window's, not the hardware's. */
   private def crosshair(picture: Array[Int], c: VoxelConfig): Array[Int] = {
-    for (k <- -3 to 3; (dx, dy) <- Set((k, 0), (0, k))) {
-      val at = (c.height / 2 + dy) * c.width + c.width / 2 + dx
-      picture(at) ^= 0xffffff
-    }
+    val cross = Crosshair(c.width, c.height)
+    for (n <- picture.indices if cross.covers(n % c.width, n / c.width)) picture(n) ^= 0xffffff
     picture
   }
 

@@ -35,6 +35,7 @@ final case class VoxelOptions(
 
 object VoxelOptions {
   val leaps: Seq[(String, LeapField)] = Seq(
+    "quadrants" -> LeapField.Quadrants,
     "octants"   -> LeapField.Octants,
     "up-down"   -> LeapField.UpDown,
     "chebyshev" -> LeapField.Chebyshev,

@@ -6,10 +6,12 @@ import spinal.core.sim._
 
 /** Runs a simulated system with a monitor at its pins from frame to frame. The JVM sleeps meanwhile: a frame
   * costs it a few looks.
+  *
+  * @param divider clocks of a pixel
   */
-final class VideoSession(clockDomain: ClockDomain, monitor: SimVideoMonitor) {
+final class VideoSession(clockDomain: ClockDomain, monitor: SimVideoMonitor, divider: Int = 1) {
   private val mode        = monitor.mode
-  private val frameClocks = mode.hTotal.toLong * mode.vTotal
+  private val frameClocks = mode.hTotal.toLong * mode.vTotal * divider
   private var seen        = 0L
   val reader              = new SimVideoReader(monitor)
 

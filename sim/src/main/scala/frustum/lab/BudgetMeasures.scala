@@ -44,7 +44,7 @@ object BudgetMeasures {
   }
 
   private def voxel(): Seq[Measured] = {
-    val o     = VoxelOptions(size = (160, 120), engine = "model")
+    val o     = VoxelOptions(size = (160, 120), engine = "model", leaps = Some("octants"))
     val scene = VoxelScenes(o)
     var drawn = Seq.empty[VoxelDrawn]
     new VoxelRun(

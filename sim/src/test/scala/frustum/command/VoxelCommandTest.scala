@@ -41,7 +41,8 @@ class VoxelCommandTest extends AnyFunSuite {
 
   private val table = Seq(
     "--bad"                                   -> Seq("--bad", "--help"),
-    "--engine pipeline"                       -> Seq("--engine", "model"),
+    "--engine netlist"                        -> Seq("--engine", "model"),
+    "--size 17x19"                            -> Seq("--size 17x19", "--engine pipeline"),
     "--world /no/such.raw"                    -> Seq("/no/such.raw"),
     s"--world '$short'"                       -> Seq("short.raw", "100 bytes", "131072", "--world-size"),
     s"--world '$high' --world-size 8x8x8"     -> Seq("high.raw", "byte 77", "30", "24"),
@@ -121,20 +122,26 @@ class VoxelCommandTest extends AnyFunSuite {
     assert(bytes.takeRight(47).head == 'C' && (bytes.takeRight(47).sum & 255) == 0)
   }
 
-  test("hardware: the model's picture and clocks near to one a step") {
-    val out = Files.createTempDirectory("voxel-hardware")
-    val run = CommandRunner.run(
-      "voxel",
-      "--size",
-      "32x24",
-      "--world-size",
-      "16x16x16",
-      "--out",
-      out.resolve("h.png").toString
-    )
-    assert(run.code == 0, run)
-    val report = ujson.read(Files.readString(out.resolve("voxel.json")))
-    assert(report("hardwareVsModel")("pixelsDifferent").num == 0)
-    assert(report("clocksPerStep").num >= 1 && report("clocksPerStep").num < 1.2)
-  }
+  for ((engine, size) <- Seq("hardware" -> "64x48", "pipeline" -> "33x25"))
+    test(s"$engine: the model's picture and clocks near to one a step") {
+      val out = Files.createTempDirectory("voxel-hardware")
+      val run = CommandRunner.run(
+        "voxel",
+        "--engine",
+        engine,
+        "--size",
+        size,
+        "--world-size",
+        "16x16x16",
+        "--highlight",
+        "--out",
+        out.resolve("h.png").toString
+      )
+      assert(run.code == 0, run)
+      val report = ujson.read(Files.readString(out.resolve("voxel.json")))
+      assert(report("hardwareVsModel")("pixelsDifferent").num == 0)
+      assert(report("clocksPerStep").num >= 1 && report("clocksPerStep").num < 1.2)
+      val picture = ImageIO.read(out.resolve("h.png").toFile)
+      assert(s"${picture.getWidth}x${picture.getHeight}" == size)
+    }
 }

@@ -50,14 +50,14 @@ class VoxelPlayerTest extends AnyFunSuite {
     val buttons                                   = VoxelButtons(forward = true, up = true)
     assert(run(at(8, 8, 4), buttons, 60, wall(1)).feet.x > 11 * 256)
     val stopped = run(at(8, 8, 4), buttons, 60, wall(2)).feet
-    assert(stopped.x <= 10 * 256 - VoxelPlayer.HalfWidth)
+    assert(stopped.x <= 10 * 256 - VoxelRules.HalfWidth)
     assert(run(at(8, 8, 4), buttons, 60, wall(2), rules.copy(collision = false)).feet.x > 11 * 256)
   }
 
   test("a wall stops one axis, the other slides") {
     val wall = (x: Int, _: Int, z: Int) => z < 4 || x >= 10
     val p    = run(at(9, 4, 4, yaw = 128), VoxelButtons(forward = true), 30, wall)
-    assert(p.feet.x <= 10 * 256 - VoxelPlayer.HalfWidth && p.feet.y > 6 * 256)
+    assert(p.feet.x <= 10 * 256 - VoxelRules.HalfWidth && p.feet.y > 6 * 256)
   }
 
   test("nobody gets into a block, or out of the eye's range, however buttons are pressed (seeds 1 to 20)") {
@@ -85,16 +85,16 @@ class VoxelPlayerTest extends AnyFunSuite {
           rules,
           solid
         )
-        assert(!VoxelPlayer.touches(p.feet, solid) && VoxelPlayer.inRange(p.feet, size), s"seed $seed: $p")
-        assert(p.pitch.abs <= VoxelPlayer.MostPitch && p.yaw >= 0 && p.yaw < VoxelPlayer.Turn)
+        assert(!VoxelPlayer.touches(p.feet, solid) && VoxelPlayer.inRange(p.feet, rules), s"seed $seed: $p")
+        assert(p.pitch.abs <= VoxelRules.MostPitch && p.yaw >= 0 && p.yaw < VoxelRules.Turn)
       }
     }
   }
 
   test("pitch is clamped, yaw goes round, items change once a press and go round") {
-    assert(run(at(8, 8, 4), VoxelButtons(lookUp = true), 200).pitch == VoxelPlayer.MostPitch)
-    assert(run(at(8, 8, 4), VoxelButtons(lookDown = true), 200).pitch == -VoxelPlayer.MostPitch)
-    assert(run(at(8, 8, 4), VoxelButtons(turnRight = true), 1).yaw == VoxelPlayer.Turn - VoxelPlayer.TurnStep)
+    assert(run(at(8, 8, 4), VoxelButtons(lookUp = true), 200).pitch == VoxelRules.MostPitch)
+    assert(run(at(8, 8, 4), VoxelButtons(lookDown = true), 200).pitch == -VoxelRules.MostPitch)
+    assert(run(at(8, 8, 4), VoxelButtons(turnRight = true), 1).yaw == VoxelRules.Turn - VoxelRules.TurnStep)
     assert(run(at(8, 8, 4), VoxelButtons(next = true), 9).item == 2)
     assert(run(at(8, 8, 4), VoxelButtons(previous = true), 9).item == 24)
   }

@@ -1,138 +1,202 @@
 package frustum.voxel
 
-import frustum.engine.{EngineSim, VoxelConsoleTestbed}
-import frustum.harness.FrustumSim
+import frustum.engine.{VoxelBoardSession, VoxelBoardTestbed}
 import frustum.host.VoxelView
-import frustum.model.pipelines.VoxelModel
+import frustum.model.game.{PlayerCamera, VoxelButtons, VoxelPlayer}
+import frustum.model.pipelines.{VoxelMarks, VoxelModel, VoxelScreen}
 import frustum.model.voxel.LeapWords
-import frustum.peripheral.SimVideoReader
-import frustum.scene.{Hills, VoxelWorld}
+import frustum.peripheral.SimConsolePad
+import frustum.pipelines.VoxelConsoleConfig
+import frustum.scene.{Hills, SeenFace, VoxelWorld}
 import frustum.spec._
 import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
-import spinal.core._
 import spinal.core.sim._
+import scala.collection.mutable.ArrayBuffer
 import scala.util.Random
 
-/** The console at its pins: what a monitor shows of what a host sends. */
+/** The Arty's top at its pins, with a small picture and world: what a monitor shows of what a host sends and a pad holds. */
 class VoxelConsoleTest extends AnyFunSuite {
-  private val c     = VoxelConfig(size = WorldSize(16, 16, 16), width = 64, height = 48)
-  private val mode  = VideoMode("test", 25, 128, 96, 8, 16, 24, 3, 2, 9, hPositive = false, vPositive = false)
-  private val start = VoxelCamera.level(c, 45)
-  private val baud  = 6250000
-  private lazy val compiled = SimConfig
-    .withConfig(FrustumSim.spinalConfig.copy(defaultClockDomainFrequency = FixedFrequency(100 MHz)))
-    .allOptimisation.workspaceName("VoxelConsole").compile(VoxelConsoleTestbed(
-      c,
-      Blocks.assets,
-      mode,
-      start,
-      baud
-    ))
+  private val c      = VoxelConfig(size = WorldSize(16, 16, 16), width = 64, height = 48, leaps = LeapField.Quadrants)
+  private val mode   = VideoMode("test", 25, 128, 96, 8, 16, 24, 3, 2, 9, hPositive = false, vPositive = false)
+  private val config = VoxelConsoleConfig(c, Blocks.assets, mode).copy(baud = 6250000)
+  private val world  = Hills(c.size, 1)
 
-  /** What the pins show of a model's picture: each channel's upper four bits, each pixel four times. */
-  private def atPins(world: VoxelWorld, camera: VoxelCamera): Array[Int] = {
-    val model  = new VoxelModel(c, Blocks.assets, world)
-    val chosen = model.pointedAt(camera, 6)
-    val small  = for (j <- 0 until c.height; i <- 0 until c.width) yield {
-      val rgb = model.pixel(camera, i, j, chosen).color
-      rgb >> 12 & 0xf00 | rgb >> 8 & 0xf0 | rgb >> 4 & 0xf
+  private def run(config: VoxelConsoleConfig, seed: Int)(body: (VoxelBoardTestbed, VoxelBoardSession) => Unit): Unit =
+    VoxelBoardSession.compile(config).doSim(s"console_$seed", seed) { dut =>
+      val session = new VoxelBoardSession(dut)
+      session.load(LeapWords(world, c.leaps))
+      body(dut, session)
+      assert(session.reader.errors == 0)
     }
-    Array.tabulate(mode.width * mode.height)(n => small(n / mode.width / 2 * c.width + n % mode.width / 2))
+
+  /** What the monitor shows of a model's picture. */
+  private def shown(
+      model: VoxelModel,
+      camera: VoxelCamera,
+      chosen: Option[SeenFace],
+      marks: Option[VoxelMarks],
+      console: VoxelConsoleConfig = config
+  ): Array[Int] = {
+    val small = for (j <- 0 until c.height; i <- 0 until c.width)
+      yield console.color(model.pixel(camera, i, j, chosen).color)
+    VoxelScreen(console).monitor(small.toArray, marks)
   }
-
-  private final class Session(dut: VoxelConsoleTestbed, world: VoxelWorld) {
-    dut.clockDomain.forkStimulus(EngineSim.Period)
-    for ((word, i) <- LeapWords(world, c.leaps).zipWithIndex)
-      dut.console.pipeline.memory.words.setBigInt(i.toLong, BigInt(word))
-    dut.io.uart #= true
-    dut.clockDomain.waitSampling(10)
-    val reader = new SimVideoReader(dut.monitor)
-
-    def send(bytes: Seq[Int]): Unit = for (byte <- bytes) {
-      val bit = EngineSim.Period * 100000000 / baud
-      for (level <- 0 +: (0 until 8).map(byte >> _ & 1) :+ 1) {
-        dut.io.uart #= level == 1
-        sleep(bit)
-      }
-    }
-    def wait(micros: Int): Unit = sleep(EngineSim.Period * 100 * micros)
-
-    /** The next whole frame. */
-    def frame(): Array[Int] = {
-      val seen  = reader.frames
-      var looks = 0
-      while (reader.frames == seen) {
-        assert(looks < 200, "no frame")
-        sleep(EngineSim.Period * 2000)
-        dut.clockDomain.waitSampling()
-        looks += 1
-      }
-      reader.picture()
-    }
-    def frames(n: Int): Array[Int] = Seq.fill(n)(frame()).last
+  private def highlighted(world: VoxelWorld, camera: VoxelCamera, console: VoxelConsoleConfig = config): Array[Int] = {
+    val model = new VoxelModel(c, Blocks.assets, world)
+    shown(model, camera, model.pointedAt(camera, VoxelConfig.Reach), None, console)
   }
-
-  private val world                          = Hills(c.size, 1)
   private def camera(x: Double, yaw: Double) = VoxelView(new Vector3d(x, 7.3, 12.4), yaw, -20, 45).camera(c)
 
-  test("without a host: the world from its middle, sync as the mode says") {
-    compiled.doSim("start", 1) { dut =>
-      val session = new Session(dut, world)
-      session.frames(3)
-      assert(session.frame().toSeq == atPins(world, start).toSeq)
-      assert(session.reader.errors == 0)
+  test("a host's cameras: the picture alone, or with the face in its middle highlighted") {
+    run(config, 1) { (_, session) =>
+      val down = VoxelView(new Vector3d(8.2, 7.3, 12.4), 30, -60, 45).camera(c)
+      session.send(VoxelHostCommand.highlight(down))
+      val high = session.settled()
+      assert(high.sameElements(highlighted(world, down)))
+      session.send(VoxelHostCommand.camera(down))
+      val plain = session.settled()
+      assert(plain.sameElements(shown(new VoxelModel(c, Blocks.assets, world), down, None, None)))
+      assert(!high.sameElements(plain))
     }
   }
 
   test("commands that are wrong change nothing and are counted; the next one is taken") {
-    compiled.doSim("wrong", 2) { dut =>
-      val session = new Session(dut, world)
-      val good    = camera(8, 30)
-      session.send(Seq(0x55))                                                     // no opcode
-      session.send(VoxelHostCommand.camera(camera(3, 200)).updated(20, 1))        // wrong checksum
-      session.send(VoxelHostCommand.write(c.size.blocks, c.leaps.wordOfBlock(1))) // outside of the world
-      session.send(VoxelHostCommand.write(5, 1 << c.leaps.wordBits))              // no word
-      session.send(VoxelHostCommand.camera(camera(3, 200)).take(17))              // cut short
+    run(config, 2) { (dut, session) =>
+      val good = camera(8, 30)
+      session.send(Seq(0x55))                                              // no opcode
+      session.send(VoxelHostCommand.camera(camera(3, 200)).updated(20, 1)) // wrong checksum
+      session.send(VoxelHostCommand.camera(camera(3, 200)).take(17))       // cut short
       session.wait(VoxelHostCommand.SilenceMicros + 100)
-      session.send(VoxelHostCommand.camera(good))
-      session.frames(3)
-      assert(session.frame().toSeq == atPins(world, good).toSeq)
-      assert(dut.io.refused.toInt == 5)
+      val wrong = Seq(
+        VoxelHostCommand.write(c.size.blocks, c.leaps.wordOfBlock(1)), // outside of the world
+        VoxelHostCommand.write(5, 1 << c.leaps.wordBits),              // no word
+        VoxelHostCommand.block(c.size.blocks + 5, 1),                  // would alias onto block 5
+        VoxelHostCommand.block(5, 25),                                 // no such block
+        VoxelHostCommand.block(5, 32 + 1),
+        VoxelHostCommand.player(IntVector(0, 0, -1), 0, 0), // below the floor
+        VoxelHostCommand.player(IntVector(0, 40 * 256 + 12 * 256, 0), 0, 0),
+        VoxelHostCommand.player(IntVector(0, 0, 0), 1024, 0),
+        VoxelHostCommand.player(IntVector(0, 0, 0), 0, 249)
+      )
+      wrong.foreach(session.send)
+      session.send(VoxelHostCommand.highlight(good))
+      assert(session.settled().sameElements(highlighted(world, good)))
+      assert(session.words(c.size.blocks).sameElements(LeapWords(world, c.leaps)))
+      assert(dut.io.refused.toInt == 3 + wrong.length)
     }
   }
 
-  test("100 moving frames with edits: each shows one state whole, in order") {
+  test("100 moving frames with edits: each shows one state whole, in order; the leaps end up right") {
     val seed = 3
-    compiled.doSim("moving", seed) { dut =>
-      val random  = new Random(seed)
-      val session = new Session(dut, world)
-      var now     = world
-      var states  = Vector(atPins(world, start))
-      var shown   = 0
-      session.frames(3)
+    run(config, seed) { (dut, session) =>
+      val random = new Random(seed)
+      val first  = camera(8, 0)
+      session.send(VoxelHostCommand.highlight(first))
+      var now    = world
+      var states = Vector(session.settled())
+      assert(states.head.sameElements(highlighted(now, first)))
+      var last        = first
+      var index, seen = 0
       for (n <- 0 until 100) {
-        // An edit whose leaps are right: the words around it may all change.
-        val (x, y, z)       = (random.nextInt(16), random.nextInt(16), random.nextInt(16))
-        val next            = now.updated(x, y, z, if (now(x, y, z) == 0) 1 + random.nextInt(24) else 0)
-        val (before, after) = (LeapWords(now, c.leaps), LeapWords(next, c.leaps))
-        val changed         = before.indices.filter(i => before(i) != after(i))
-        // Blocks that go are cleared first and distances then grow; those that come shorten distances first.
-        val order = changed.sortBy(i => (c.leaps.isBlock(after(i)) == (now(x, y, z) == 0), i))
-        val view  = camera(8 + 3 * scala.math.sin(n / 9.0), 5.0 * n)
-        if (order.length < 60) {
-          order.foreach(i => session.send(VoxelHostCommand.write(i, after(i))))
-          now = next
-        }
-        session.send(VoxelHostCommand.camera(view))
-        states :+= atPins(now, view)
-        val frame = session.frames(3)
-        val at    = states.indexWhere(_.sameElements(frame), shown)
+        val (x, y, z) = (random.nextInt(16), random.nextInt(16), random.nextInt(16))
+        val id        = if (now(x, y, z) == 0) 1 + random.nextInt(24) else 0
+        now = now.updated(x, y, z, id)
+        session.send(VoxelHostCommand.block(c.size.address(x, y, z), id))
+        states :+= highlighted(now, last)
+        last = camera(8 + 3 * scala.math.sin(n / 9.0), 5.0 * n)
+        session.send(VoxelHostCommand.highlight(last))
+        states :+= highlighted(now, last)
+        val frame = session.frame()
+        val at    = states.indexWhere(_.sameElements(frame), index)
         assert(at >= 0, s"seed $seed, frame $n: no state looks like this")
-        shown = at
+        if (at > index) seen += 1
+        index = at
       }
-      assert(shown >= 99)
-      assert(session.reader.errors == 0 && dut.io.refused.toInt == 0)
+      assert(seen > 60)
+      assert(session.settled().sameElements(states.last))
+      assert(session.words(c.size.blocks).sameElements(LeapWords(now, c.leaps)) && dut.io.refused.toInt == 0)
+    }
+  }
+
+  test("gamma") {
+    val bright = config.copy(color = PinColor(ColorFormat.Rgb444, 2.2))
+    run(bright, 4) { (_, session) =>
+      val view = camera(8, 30)
+      session.send(VoxelHostCommand.highlight(view))
+      val frame = session.settled()
+      assert(frame.sameElements(highlighted(world, view, bright)))
+      assert(!frame.sameElements(highlighted(world, view)))
+    }
+  }
+
+  /** Bytes of a pad with sticks, after the first. */
+  private def pad(held: Set[Int], sticks: Seq[Int] = Seq(128, 128, 128, 128)): Seq[Int] = {
+    def byte(from: Int) = 0xff - (0 until 8).filter(i => held(from + i)).map(1 << _).sum
+    Seq(0x73, 0x5a, byte(0), byte(8)) ++ sticks
+  }
+  private val Seq(select, start, up, left, l2, r2, r1, triangle, cross, square) = Seq(0, 3, 4, 7, 8, 9, 11, 12, 14, 15)
+
+  test("a walk with a pad: every frame is the model's player's view, crosshair and read-out over it (seed 5)") {
+    run(config, 5) { (dut, session) =>
+      val controller = new SimConsolePad(dut.io.pad, dut.clockDomain)
+      val turns      = ArrayBuffer.empty[VoxelButtons] // of each turn of the player since it was placed
+      val b          = dut.player.io.buttons
+      dut.clockDomain.onSamplings {
+        if (dut.player.io.frame.toBoolean) turns += VoxelButtons(
+          b.forward.toBoolean, b.back.toBoolean, b.left.toBoolean, b.right.toBoolean, b.up.toBoolean, b.down.toBoolean,
+          b.turnLeft.toBoolean, b.turnRight.toBoolean, b.lookUp.toBoolean, b.lookDown.toBoolean,
+          b.next.toBoolean, b.previous.toBoolean, b.place.toBoolean, b.destroy.toBoolean
+        )
+      }
+      val program      = config.program
+      val rules        = config.rules
+      var model        = new VoxelModel(c, Blocks.assets, world)
+      var player       = VoxelPlayer(config.start.feet, config.start.yaw)
+      var pointed      = Option.empty[SeenFace]
+      var edits, ticks = 0
+      val views        = ArrayBuffer.empty[Int => Array[Int]] // by the rate that is written over them
+      var rates        = Seq(0, 0)                            // as of the frame before and now
+      def follow(): Unit = while (ticks < turns.length) {
+        val (moved, edit) = player.frame(turns(ticks), rules, Blocks.table, pointed, model.world(_, _, _))
+        player = moved
+        for (e <- edit) {
+          model = new VoxelModel(c, Blocks.assets, model.world.updated(e.x, e.y, e.z, e.id))
+          edits += 1
+        }
+        val camera = PlayerCamera(player, c, program)
+        pointed = model.pointedAt(camera, VoxelConfig.Reach)
+        val (drawn, chosen, item) = (model, pointed, player.item)
+        views += (rate => shown(drawn, camera, chosen, Some(VoxelMarks(rate, item))))
+        ticks += 1
+      }
+      // From the start on, then put above the hills to fall onto them.
+      val script = Seq(
+        4 -> pad(Set(select)), 6 -> pad(Set(triangle)), 10 -> pad(Set(up)), 6 -> pad(Set(left, up, cross)), 10 -> pad(Set(square)),
+        3 -> pad(Set(r2)), 3 -> pad(Set()), 3 -> pad(Set(r2)), 3 -> pad(Set(r1)), 3 -> pad(Set()), 3 -> pad(Set(r1)), 4 -> pad(Set(l2)),
+        8 -> pad(Set(), Seq(255, 20, 128, 0)), 8 -> pad(Set(), Seq(0, 230, 255, 128)), 4 -> pad(Set(r2, up)), 4 -> Nil
+      )
+      var index = 0
+      for (((frames, answer), n) <- script.zipWithIndex) {
+        controller.answer = answer
+        for (f <- 0 until frames) {
+          val frame = session.frame()
+          follow()
+          rates = Seq(rates.last, dut.rate)
+          if (n > 0) {
+            // As views may look alike, the first one that does.
+            val at = views.indices.drop(index).find(v => rates.distinct.exists(views(v)(_).sameElements(frame))).getOrElse(-1)
+            assert(at >= index, s"step $n, frame $f: no view of the player's looks like this after view $index of ${views.length}")
+            index = at
+          }
+        }
+      }
+      assert(edits >= 2, s"$edits edits")
+      assert(rates.last > 50 && rates.last <= 60)
+      assert(index > views.length * 3 / 4 && player.item == 3) // at rest, views look alike
+      assert(session.words(c.size.blocks).sameElements(LeapWords(model.world, c.leaps)))
+      // A pad that is not there is at rest.
+      assert(turns.last == VoxelButtons())
     }
   }
 }

@@ -2,8 +2,8 @@ package frustum.boards.arty
 
 import frustum.blackbox.Tech
 import frustum.boards.{BoardClock, BoardTop, Part}
-import frustum.pipelines.PongPipelineConfig
-import frustum.spec.{LeapField, VoxelConfig}
+import frustum.pipelines.{PongPipelineConfig, VoxelConsoleConfig}
+import frustum.spec.{Blocks, LeapField, VideoMode, VoxelConfig}
 
 /** What is built for Digilent's Arty A7. */
 object ArtyTops {
@@ -16,12 +16,34 @@ object ArtyTops {
     component = () => PongTop(PongPipelineConfig(), Tech.Artix7)
   )
 
-  val voxel: BoardTop = BoardTop(
-    name = "arty-voxel",
-    part = Part.Artix7A100,
+  /** The whole world, in words of nine bits, which is what a block RAM has. */
+  private def voxelConsole(width: Int, height: Int) = VoxelConsoleConfig(
+    VoxelConfig(width = width, height = height, leaps = LeapField.Quadrants),
+    Blocks.assets,
+    VideoMode.Vga640x480
+  )
+  val voxelConfig: VoxelConsoleConfig   = voxelConsole(320, 240)
+
+  /** What 50 block RAMs hold: a picture of a quarter of the pixels. */
+  val voxel35Config: VoxelConsoleConfig = voxelConsole(160, 120)
+
+  val voxel: BoardTop   = voxelTop("arty-voxel", Part.Artix7A100, voxelConfig)
+  val voxel35: BoardTop = voxelTop("arty-voxel-35t", Part.Artix7A35, voxel35Config)
+
+  /** What the part's block RAMs cannot hold is refused when it is elaborated. */
+  def voxelTop(name: String, part: Part.Artix7, config: VoxelConsoleConfig): BoardTop = BoardTop(
+    name = name,
+    part = part,
     constraints = "boards/arty/voxel.xdc",
     core = BoardClock("clk", 100, "oscillator"),
     otherClocks = Seq(),
-    component = () => VoxelTop(VoxelConfig(leaps = LeapField.Octants), Tech.Artix7)
+    component = () => {
+      val (need, have) = (config.memoryBits / 1024, part.blockRams * 36)
+      require(
+        need <= have,
+        s"$name: world and pictures need $need kbit, the ${part.name} has $have in its block RAMs; take a smaller world, picture or word"
+      )
+      VoxelTop(config, Tech.Artix7)
+    }
   )
 }

@@ -1,26 +1,9 @@
 package frustum.model.game
 
 import frustum.scene.SeenFace
-import frustum.spec.{BlockTable, IntVector, VoxelConfig, WorldSize}
-import scala.math.{Pi, floorMod, round, sin}
-
-/** What a player of a voxel world holds down. */
-final case class VoxelButtons(
-    forward: Boolean = false,
-    back: Boolean = false,
-    left: Boolean = false,
-    right: Boolean = false,
-    up: Boolean = false,
-    down: Boolean = false,
-    turnLeft: Boolean = false,
-    turnRight: Boolean = false,
-    lookUp: Boolean = false,
-    lookDown: Boolean = false,
-    next: Boolean = false,
-    previous: Boolean = false,
-    place: Boolean = false,
-    destroy: Boolean = false
-)
+import frustum.spec.{BlockTable, IntVector, SineTable, VoxelRules}
+import frustum.spec.VoxelRules._
+import scala.math.floorMod
 
 /** A block that becomes another; id 0 is air. */
 final case class VoxelEdit(x: Int, y: Int, z: Int, id: Int)
@@ -29,11 +12,11 @@ final case class VoxelEdit(x: Int, y: Int, z: Int, id: Int)
   *
   * @param feet    middle of the soles, 1/256 block
   * @param yaw     1/1024 turn, 0 along +x, 256 along +y
-  * @param pitch   1/1024 turn, up is positive, within +-[[VoxelPlayer.MostPitch]]
+  * @param pitch   1/1024 turn, up is positive, within +-[[VoxelRules.MostPitch]]
   * @param rise    upward speed, 1/256 block a frame
   * @param item    id of the block that is placed
   * @param held    buttons of the frame before
-  * @param refused edits outside of the world, or where the player stands
+  * @param refused edits outside of the world, or where the player stands; the count stays at its end
   */
 final case class VoxelPlayer(
     feet: IntVector,
@@ -49,6 +32,23 @@ final case class VoxelPlayer(
   /** 1/256 block. */
   def eye: IntVector = IntVector(feet.x, feet.y, feet.z + EyeHeight)
 
+  /** A picture on: first what the buttons do to the block that the last picture showed in its middle, then the move.
+    *
+    * @param id what is at x, y, z
+    */
+  def frame(
+      b: VoxelButtons,
+      rules: VoxelRules,
+      table: BlockTable,
+      pointedAt: Option[SeenFace],
+      id: (Int, Int, Int) => Int
+  ): (VoxelPlayer, Option[VoxelEdit]) = {
+    val (counted, change) = edit(b, held, pointedAt, rules)
+    def now(x: Int, y: Int, z: Int) =
+      change.filter(e => (e.x, e.y, e.z) == ((x, y, z))).fold(id(x, y, z))(_.id)
+    (counted.tick(b, rules, solid(table, now)), change)
+  }
+
   /** The next frame's player.
     *
     * @param solid whether the block at x, y, z stops a player, anywhere
@@ -63,7 +63,7 @@ final case class VoxelPlayer(
       held = b
     )
     val (ahead, aside) = (both(b.forward, b.back), both(b.right, b.left))
-    val (c, s)         = (sine(turned.yaw + Turn / 4), sine(turned.yaw))
+    val (c, s)         = (SineTable.coarse(turned.yaw + Turn / 4), SineTable.coarse(turned.yaw))
     val (dx, dy) = ((WalkStep * (ahead * c + aside * s)) >> 8, (WalkStep * (ahead * s - aside * c)) >> 8)
     turned.moved(dx, dy, rules, b, solid)
   }
@@ -77,7 +77,7 @@ final case class VoxelPlayer(
       solid: (Int, Int, Int) => Boolean
   ): VoxelPlayer = {
     def free(p: IntVector)                   = !rules.collision || !touches(p, solid) || touches(feet, solid)
-    def step(from: IntVector, to: IntVector) = if (inRange(to, rules.size) && free(to)) to else from
+    def step(from: IntVector, to: IntVector) = if (inRange(to, rules) && free(to)) to else from
     val flat                                 = step(feet, IntVector(feet.x + dx, feet.y, feet.z))
     val along                                = step(flat, IntVector(flat.x, flat.y + dy, flat.z))
     val below                                = IntVector(along.x, along.y, along.z - 1)
@@ -109,52 +109,25 @@ final case class VoxelPlayer(
           if (k == axis) v + step else v
         }
         if (!rules.size.contains(x, y, z) || touches(feet, (i, j, k) => (i, j, k) == ((x, y, z))))
-          (copy(refused = refused + 1), None)
+          (copy(refused = (refused + 1).min(MostRefused)), None)
         else (this, Some(VoxelEdit(x, y, z, item)))
       case _ => (this, None)
     }
 }
 
-/** @param items    kinds of block to place, 1 to this
-  * @param collision blocks stop the player
-  * @param gravity  the player walks and jumps; otherwise flies
-  */
-final case class VoxelRules(size: WorldSize, items: Int, collision: Boolean = true, gravity: Boolean = true)
-
 object VoxelPlayer {
-  val Turn      = 1024
-  val MostPitch = 248 // 87 degrees
-  val TurnStep  = 10
-  val LookStep  = 8
-  val WalkStep  = 38
-  val Gravity   = 6
-  val JumpSpeed = 60
-  val MostFall  = 200
-  val EyeHeight = 410
-  val Height    = 461
-  val HalfWidth = 77
-
-  private val sines = Array.tabulate(Turn)(i => round(256 * sin(2 * Pi * i / Turn)).toInt)
-
-  /** Of 1/1024 turns, 8 fraction bits. */
-  def sine(angle: Int): Int = sines(floorMod(angle, Turn))
 
   /** Whether a body with its feet there touches a solid block. */
   def touches(feet: IntVector, solid: (Int, Int, Int) => Boolean): Boolean = {
-    def blocks(low: Int, high: Int) = (low >> 8) to ((high - 1) >> 8)
-    (for {
-      x <- blocks(feet.x - HalfWidth, feet.x + HalfWidth).iterator
-      y <- blocks(feet.y - HalfWidth, feet.y + HalfWidth)
-      z <- blocks(feet.z, feet.z + Height)
-    } yield solid(x, y, z)).exists(identity)
+    def blocks(axis: Int) = {
+      val (low, high) = body(axis)
+      (feet(axis) + low >> 8) to (feet(axis) + high - 1 >> 8)
+    }
+    (for (x <- blocks(0).iterator; y <- blocks(1); z <- blocks(2)) yield solid(x, y, z)).exists(identity)
   }
 
-  /** Whether the eye stays where the hardware takes it, and the feet on or above the world's floor. */
-  def inRange(feet: IntVector, size: WorldSize): Boolean = {
-    val around = (VoxelConfig.Around - 2) << 8
-    feet.z >= 0 && feet.z + EyeHeight <= (size.z << 8) + around &&
-    Seq(feet.x -> size.x, feet.y -> size.y).forall { case (p, n) => p >= -around && p <= (n << 8) + around }
-  }
+  def inRange(feet: IntVector, rules: VoxelRules): Boolean =
+    (0 to 2).forall { k => val (low, high) = rules.range(k); feet(k) >= low && feet(k) <= high }
 
   /** Everything that can be pointed at stops a player; water does not. */
   def solid(table: BlockTable, id: (Int, Int, Int) => Int): (Int, Int, Int) => Boolean =
