@@ -66,6 +66,7 @@ prepare() {
     *" --help "*) ;;
     " chart "* | " fit "* | " mutate "*)
       simulator
+      want 'ldconfig -p | grep -q libOSMesa' libosmesa6-dev # a referee for fit
       python3 -c 'import ensurepip, venv' 2>/dev/null || install python3 python3-venv
       ;;
     " bitstream "*)

@@ -74,13 +74,21 @@ object ValidFor {
   val DepthGap    = ValidFor("depth", "depth-gap", "of the depth, far = 100 near", 0.005, 1, 0, "% of pixels")
   val OrthoDepth  = ValidFor("depth", "orthographic-range", "world units", 1 / Wide, Wide, 0, "% of pixels")
 
+  // units that every fragment goes through: whole ranges of their inputs
+  val VertexColor = ValidFor("combine", "vertex-colour", "0..255", 0, 255, 0.61, "levels of the frame buffer")
+  val SourceAlpha = ValidFor("blend", "source-alpha", "of 31", 0, 31, 1.3, "levels of the frame buffer")
+  val DitherBits  = ValidFor("dither", "dither-bits", "bits of a channel", 1, 8, 9, "of 255, mean of 4 x 4")
+
   // ray caster
+  val Root           = ValidFor("roots", "root", "argument", 1.0 / 64, 1, 1.6e-3, "of the value")
+  val InverseRoot    = ValidFor("roots", "inverse-root", "argument", 1.0 / 16, 1, 4e-4, "of the value")
   val SphereDistance =
     ValidFor("sphere", "sphere-distance", "units from the eye to the centre", 21, 940, 2, "of 255")
   val SphereRadius  = ValidFor("sphere", "sphere-radius", "units", 1, 240, 2, "of 255")
   val LightDistance = ValidFor("sphere", "light-distance", "units from the surface", 2, 200, 2, "of 255")
 
   // voxel world
+  val Layers      = ValidFor("layers", "layers", "of water and glass", 1, 16, 12, "of 255")
   val FocalLength = ValidFor("march", "focal-length", "pixels, 320 x 240", 160, 700, 1.0 / 16, "pixels")
   val EyeOutside = ValidFor("march", "eye-outside", "blocks from the world", 0, VoxelConfig.Around, 0, "rays")
   val ViewDistance = ValidFor("march", "view-distance", "blocks", 1, VoxelConfig.MostDistance, 0, "rays")

@@ -2,7 +2,7 @@ package frustum.command
 
 import frustum.BuildInfo
 import frustum.boards.flow.BitstreamReport
-import frustum.lab.{FitFeatures, FitResult, ViewErrors}
+import frustum.lab.{FitFeatures, FitResult, Referee, ViewErrors}
 import java.nio.file.Path
 
 /** @param savings LUT and flip-flops that come back when one thing saved does */
@@ -29,7 +29,13 @@ object FitReport {
 
   private def cells(r: BitstreamReport): Int = r.placements.flatMap(_.used.get("ICESTORM_LC")).max
 
-  def json(o: FitOptions, r: FitResult, different: Long, costs: Option[FitCosts]): ujson.Obj = {
+  def json(
+      o: FitOptions,
+      r: FitResult,
+      different: Long,
+      referee: Option[Referee],
+      costs: Option[FitCosts]
+  ): ujson.Obj = {
     val c                     = r.features.config
     def errors(e: ViewErrors) = {
       val all =
@@ -70,6 +76,14 @@ object FitReport {
       ),
       "scala" -> scala(r.features)
     )
+    for (m <- referee)
+      report("referee") = ujson.Obj(
+        "renderer"               -> "llvmpipe",
+        "views"                  -> m.views,
+        "viewsOver"              -> m.over,
+        "texelsWrongPercent"     -> m.texelsWrong,
+        "primitivesWrongPercent" -> m.primitivesWrong
+      )
     costs.foreach { k =>
       report("logicCells") = cells(k.fitted)
       report("fullPresetLogicCells") = cells(k.full)

@@ -17,7 +17,8 @@ final case class MutateOptions(
 /** `mutate`: how many wrong wires of a unit the test vectors find. */
 object MutateCommand extends CommandLine {
   val name    = "mutate"
-  val summary = "breaks wires of a unit one by one and counts which ones its test vectors find; writes out/mutate"
+  val summary =
+    "breaks wires of a unit one by one and counts which ones its test vectors find; writes out/mutate"
 
   /** Below this share of kills the command fails. */
   val Least = 95.0
@@ -28,14 +29,23 @@ object MutateCommand extends CommandLine {
     OParser.sequence(
       programName("./sbt mutate"),
       head(s"mutate: $summary"),
-      arg[(String, Long => MutationPlan)]("UNIT")(Arguments.oneOf(MutationPlans.all.map(p => p._1 -> p): _*)).optional()
+      arg[(String, Long => MutationPlan)]("UNIT")(Arguments.oneOf(MutationPlans.all.map(p =>
+        p._1 -> p
+      ): _*)).optional()
         .action((v, o) => o.copy(unit = Some(v)))
         .text(s"one of ${MutationPlans.all.map(_._1).mkString(", ")} (default: all)"),
-      opt[Int]("mutants").valueName("N").action((v, o) => o.copy(mutants = v))
-        .validate(n => if (n >= 1 && n <= MutantNetlist.Most) success else failure(s"--mutants: $n; give 1 to ${MutantNetlist.Most}"))
+      opt[Int]("mutants")(Arguments.count).valueName("N").action((v, o) => o.copy(mutants = v))
+        .validate(n =>
+          if (n >= 1 && n <= MutantNetlist.Most) success
+          else failure(s"--mutants: $n; give 1 to ${MutantNetlist.Most}")
+        )
         .text("mutants of each unit (400)"),
-      opt[Long]("seed").action((v, o) => o.copy(seed = v)).text("draws mutants and vectors (1)"),
-      opt[Path]("out")(Arguments.file).valueName("DIR").action((v, o) => o.copy(out = v)).text("(default out/mutate)"),
+      opt[Long]("seed")(
+        Arguments.seed
+      ).valueName("N").action((v, o) => o.copy(seed = v)).text("draws mutants and vectors (1)"),
+      opt[Path]("out")(
+        Arguments.file
+      ).valueName("DIR").action((v, o) => o.copy(out = v)).text("(default out/mutate)"),
       note("  --help                   prints this")
     )
   }
@@ -44,10 +54,12 @@ object MutateCommand extends CommandLine {
 
   private def mutate(o: MutateOptions): Int = {
     def say(step: String): Unit = println(s"$name: $step")
-    val results =
+    val results                 =
       try {
         val run = new MutationRun(Ice40Tools.find(say).yosys, o.out.resolve("build"), say)
-        o.unit.fold(MutationPlans.all)(Seq(_)).map { case (unit, plan) => unit -> run(plan(o.seed), o.mutants, o.seed) }
+        o.unit.fold(MutationPlans.all)(Seq(_)).map { case (unit, plan) =>
+          unit -> run(plan(o.seed), o.mutants, o.seed)
+        }
       } catch { case MissingTool(message) => throw InputError(message) }
     OutputFile.writeText(o.out.resolve("mutate.json"), ujson.write(json(o, results), indent = 2) + "\n")
     OutputFile.writeText(o.out.resolve("mutate.csv"), csv(results))
@@ -60,7 +72,9 @@ object MutateCommand extends CommandLine {
     println(s"wrote ${o.out.resolve("index.html")}")
     val weak = results.filter(_._2.killPercent < Least)
     weak.foreach { case (unit, r) =>
-      Console.err.println(f"error: $unit: ${r.killPercent}%.1f %% of the mutants are killed, less than $Least%.0f %%")
+      Console.err.println(
+        f"error: $unit: ${r.killPercent}%.1f %% of the mutants are killed, less than $Least%.0f %%"
+      )
     }
     if (weak.isEmpty) 0 else 1
   }

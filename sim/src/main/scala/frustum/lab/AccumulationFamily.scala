@@ -27,7 +27,8 @@ object AccumulationFamily extends ChartFamily {
   }
 
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
-    val lines = Seq(Screen -> "accumulated over 320 pixels") ++ Seq(32, 16, 8).map(n => n -> s"afresh every $n pixels")
+    val lines =
+      Seq(Screen -> "accumulated over 320 pixels") ++ Seq(32, 16, 8).map(n => n -> s"afresh every $n pixels")
     val points = for ((every, method) <- lines; fraction <- 4 to 24 by 4)
       yield ChartPoint(method, s"$fraction fraction bits", fraction, error(fraction, every))
     def at(every: Int) = points.find(p => p.method == lines.toMap.apply(every) && p.cost == 16)

@@ -4,7 +4,7 @@ import frustum.InfinityAsNull
 import frustum.command.{PongScenes, RenderReport, SceneRun, VoxelOptions, VoxelReport, VoxelScenes}
 import frustum.engine.{EngineOptions, Engines, VoxelDrawn, VoxelRun}
 import frustum.game.AutoPlayer
-import frustum.judge.{RayCounts, RayJudge}
+import frustum.judge.{RayCounts, RayJudge, TemporalJudge}
 import frustum.model.game.PongGame
 import frustum.model.ray.RayPicture
 import frustum.scene.Scenes
@@ -39,8 +39,18 @@ object BudgetMeasures {
     val run =
       SceneRun.still(Scenes.byName(name), RasterConfig(), Engines.byName("model"), EngineOptions(1, None))
     val report = RenderReport.json("budgets", 1, run.figures((_, _) => ()))
-    for ((group, metrics) <- rasterMetrics; metric <- metrics)
+    val still  = for ((group, metrics) <- rasterMetrics; metric <- metrics)
       yield Measured(name, s"$group.$metric", InfinityAsNull.read(report(group)(metric)))
+    still ++ pan(name)
+  }
+
+  /** Panned by 1/16 pixel from picture to picture. */
+  private def pan(name: String): Seq[Measured] = {
+    val t = TemporalJudge.pan(Scenes.byName(name), TemporalJudge.Config, TemporalJudge.SubpixelBits)
+    Seq("swimRms" -> t.swimRms, "swimMost" -> t.swimMost, "popsPercent" -> t.popsPercent).map {
+      case (metric, value) =>
+        Measured(name, s"temporal.$metric", value)
+    }
   }
 
   private def voxel(): Seq[Measured] = {

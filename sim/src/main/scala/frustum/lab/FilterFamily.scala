@@ -21,8 +21,8 @@ object FilterFamily extends ChartFamily {
   private def error(weight: Double => Double, result: Double => Double): Double = {
     val random = new Random(1)
     val sum    = Seq.fill(Samples) {
-      val texels            = Seq.fill(4)(random.nextInt(32) * 255.0 / 31)
-      val (u, v)            = (random.nextDouble(), random.nextDouble())
+      val texels                        = Seq.fill(4)(random.nextInt(32) * 255.0 / 31)
+      val (u, v)                        = (random.nextDouble(), random.nextDouble())
       def channel(u: Double, v: Double) =
         mix(mix(texels(0), texels(1), u), mix(texels(2), texels(3), u), v)
       pow(result(channel(weight(u), weight(v))) - channel(u, v), 2)
@@ -35,7 +35,8 @@ object FilterFamily extends ChartFamily {
   private def exact(v: Double)              = v
   private def fiveBits(v: Double)           = round(v * 31 / 255) * 255.0 / 31
 
-  def error(bits: Int, rounded: Boolean): Double = error(if (rounded) nearest(bits) _ else cut(bits) _, exact _)
+  def error(bits: Int, rounded: Boolean): Double =
+    error(if (rounded) nearest(bits) _ else cut(bits) _, exact _)
 
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
     val points = for {

@@ -3,7 +3,7 @@ package frustum.lab
 import frustum.InputError
 import frustum.engine.Engines
 import frustum.host.{Driver, PreparedFrame, StateTable, TextureMemory}
-import frustum.judge.{Flip, FrameJudge}
+import frustum.judge.{Flip, FrameJudge, LoggedFragment}
 import frustum.reference.raster.ReferenceRaster
 import frustum.scene.Scene
 import frustum.spec.{Combine, PlaneFormats}
@@ -45,6 +45,12 @@ final class Fit(
     features.config.copy(formats = formats),
     0
   )
+
+  /** A view and its fragments by the model. */
+  def draw(view: View, formats: PlaneFormats): (PreparedFrame, Seq[IndexedSeq[LoggedFragment]]) = {
+    val frame = prepare(view, formats)
+    (frame, judge.drawModel(frame)._3)
+  }
 
   def errors(view: View, formats: PlaneFormats): ViewErrors = {
     if (solid && Convexity.inside(scene, view.camera(scene.camera).eye))

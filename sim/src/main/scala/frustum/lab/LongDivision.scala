@@ -13,9 +13,9 @@ import spinal.core._
 final class LongDivision(fraction: Int) extends Component {
   val rows = 8 + fraction
   val io   = new Bundle {
-    val s, t     = in SInt (32 bits)
-    val q        = in UInt (31 bits)
-    val sq, tq   = out SInt (rows + 1 bits)
+    val s, t   = in SInt (32 bits)
+    val q      = in UInt (31 bits)
+    val sq, tq = out SInt (rows + 1 bits)
   }
   private val denominators = Seq.iterate(RegNext(io.q), rows)(RegNext(_))
 

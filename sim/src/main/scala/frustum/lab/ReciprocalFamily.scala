@@ -69,7 +69,7 @@ object ReciprocalFamily extends ChartFamily {
   /** What divides, and how large and fast it is. */
   private def dividers(costs: UnitCosts): Chart = {
     val long = for (fraction <- Seq(8, 12, 17)) yield {
-      val unit = costs.timed(s"long division to $fraction bits")(new LongDivision(fraction))
+      val unit  = costs.timed(s"long division to $fraction bits")(new LongDivision(fraction))
       val error = texelError((s, q) => LongDivision(s, q, fraction) / (1L << fraction).toDouble)
       ChartPoint("long division, a row a bit", s"$fraction fraction bits", unit.cells, error, Some(unit))
     }

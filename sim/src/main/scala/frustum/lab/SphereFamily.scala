@@ -15,28 +15,31 @@ object SphereFamily extends ChartFamily {
 
   private val mode   = VideoMode.Vga640x480
   private val scene  = PongScene.room(mode.width, mode.height)
-  private val camera  = scene.camera.low
+  private val camera = scene.camera.low
   private val sphere = scene.spheres.head
 
   private lazy val centres: Seq[IntVector] = {
-    val random                                = new Random(1)
-    def between(axis: Int)                    = random.between(sphere.low(axis), sphere.high(axis) + 1)
+    val random             = new Random(1)
+    def between(axis: Int) = random.between(sphere.low(axis), sphere.high(axis) + 1)
     Seq.fill(6)(IntVector(between(0), between(1), between(2)))
   }
 
   private type Test = (Seq[Double], Seq[Double]) => Boolean // of a direction and a centre from the eye
-  private def squareOfRadius = sphere.radius.toDouble * sphere.radius
+  private def squareOfRadius                      = sphere.radius.toDouble * sphere.radius
   private def dot(a: Seq[Double], b: Seq[Double]) = a.zip(b).map { case (x, y) => x * y }.sum
 
   private def exact: Test = (d, c) => { // below 2^53, or the test that counts none wrong would fail
     val (a, b) = (big(d, d), big(d, c))
     b > 0 && b * b >= a * (big(c, c) - BigInt(sphere.radius).pow(2))
   }
-  private def big(a: Seq[Double], b: Seq[Double]) = a.zip(b).map { case (x, y) => BigInt(x.toLong) * y.toLong }.sum
+  private def big(a: Seq[Double], b: Seq[Double]) = a.zip(b).map { case (x, y) =>
+    BigInt(x.toLong) * y.toLong
+  }.sum
 
   private def float(bits: Int): Test = {
     def r(v: Double) = if (v == 0) v else { val e = bits - 1 - getExponent(v); scalb(rint(scalb(v, e)), -e) }
-    def inner(a: Seq[Double], b: Seq[Double]) = a.zip(b).map { case (x, y) => r(x * y) }.reduce((x, y) => r(x + y))
+    def inner(a: Seq[Double], b: Seq[Double]) =
+      a.zip(b).map { case (x, y) => r(x * y) }.reduce((x, y) => r(x + y))
     (d, c) => {
       val (a, b) = (inner(d, d), inner(d, c))
       b > 0 && r(r(b * b) - r(a * r(inner(c, c) - squareOfRadius))) >= 0
@@ -69,8 +72,9 @@ object SphereFamily extends ChartFamily {
     val program = RayProgram(scene, mode.width, mode.height)
     val form    = program.form("sphere0")
     val walker  = costs.map(_.timed("walker of a silhouette")(FormWalker(form, program)))
-    val points = (8 to 28 by 4).map(n => ChartPoint("discriminant in floating point", s"$n bits", n, floatWrong(n))) ++
-      (8 to 24 by 4).map(n => ChartPoint("discriminant with unit vectors", s"$n bits", n, unitWrong(n)))
+    val points  =
+      (8 to 28 by 4).map(n => ChartPoint("discriminant in floating point", s"$n bits", n, floatWrong(n))) ++
+        (8 to 24 by 4).map(n => ChartPoint("discriminant with unit vectors", s"$n bits", n, unitWrong(n)))
     val ours = ChartPoint("exact, by differences", s"${form.width} bits", form.width, 0, walker)
     Seq(Chart(
       "sphere-tests",
@@ -82,7 +86,9 @@ object SphereFamily extends ChartFamily {
       None,
       1e-3,
       "None wrong is drawn at the lower end. The discriminants take seven to ten products a pixel and, for unit vectors, a reciprocal root; the " +
-        "differences take two additions" + walker.fold(".")(u => s": ${u.luts} LUT and ${u.flipFlops} flip-flops.")
+        "differences take two additions" + walker.fold(".")(u =>
+          s": ${u.luts} LUT and ${u.flipFlops} flip-flops."
+        )
     ))
   }
 }

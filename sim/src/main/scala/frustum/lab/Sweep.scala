@@ -114,5 +114,6 @@ object Sweep {
   val Samples   = 16
   val Precision = 1.01
 
-  val all: Seq[Sweep] = TriangleSweeps.all ++ SceneSweeps.all ++ RaySweeps.all ++ VoxelSweeps.all
+  val all: Seq[Sweep] =
+    TriangleSweeps.all ++ SceneSweeps.all ++ UnitSweeps.all ++ RaySweeps.all ++ VoxelSweeps.all
 }

@@ -13,8 +13,8 @@ object TileFamily extends ChartFamily {
   val name = "tiles"
 
   private val Dropped = 6 // bits that the planes go without, so that the errors show
-  private val sizes   = Seq((4, 4), (5, 4), (5, 5)) // a screen has at most 32 tiles a side
-  private val judge   = new FrameJudge(Engines.model, simulated = false)
+  private val sizes = Seq((4, 4), (5, 4), (5, 5)) // a screen has at most 32 tiles a side
+  private val judge = new FrameJudge(Engines.model, simulated = false)
 
   private def frame(scene: String, config: RasterConfig): PreparedFrame = {
     val s = Scenes.byName(scene)
@@ -42,7 +42,12 @@ object TileFamily extends ChartFamily {
     val points = for {
       scene  <- Seq("cube", "floor")
       (w, h) <- sizes
-    } yield ChartPoint(scene, s"${1 << w} x ${1 << h}", clocksPerPixel(scene, w, h), wrongPercent(scene, w, h))
+    } yield ChartPoint(
+      scene,
+      s"${1 << w} x ${1 << h}",
+      clocksPerPixel(scene, w, h),
+      wrongPercent(scene, w, h)
+    )
     Chart(
       "tiles",
       s"Tiles from 16 x 16 to 32 x 32, planes of s/w, t/w and 1/w with ${32 - Dropped} bits",

@@ -44,7 +44,7 @@ final class UnitCosts(say: String => Unit) {
   def apply(name: String)(unit: => Component): UnitCost = {
     val figures = kept("unit")(unit) {
       say(s"synthesising $name")
-      val cells           = synthesised("unit")
+      val cells                        = synthesised("unit")
       def count(of: String => Boolean) = cells.collect { case (kind, n) if of(kind) => n }.sum
       ujson.Obj(
         "unit"        -> name,
@@ -66,7 +66,10 @@ final class UnitCosts(say: String => Unit) {
         say(s"placing $name, seed $seed")
         place(seed)
       }
-      ujson.Obj("unit" -> name, "clockMHz" -> clocks.flatten.minOption.fold[ujson.Value](ujson.Null)(ujson.Num(_)))
+      ujson.Obj(
+        "unit"     -> name,
+        "clockMHz" -> clocks.flatten.minOption.fold[ujson.Value](ujson.Null)(ujson.Num(_))
+      )
     }
     apply(name)(unit).copy(clockMHz = figures("clockMHz").numOpt)
   }
@@ -81,7 +84,9 @@ final class UnitCosts(say: String => Unit) {
         Seq("--freq", "100", "--seed", s"$seed", "--timing-allow-fail", "--pcf-allow-unconstrained")
     )
     if (code == 0)
-      Nextpnr.clockFigures(ujson.read(Files.readString(work.resolve("timed.report.json")))).values.map(_._1).minOption
+      Nextpnr.clockFigures(
+        ujson.read(Files.readString(work.resolve("timed.report.json")))
+      ).values.map(_._1).minOption
     else if (Nextpnr.tooBig(Files.readString(work.resolve(log)))) None
     else throw FlowFault(s"nextpnr failed: ${Tool.faults(work.resolve(log))} (${work.resolve(log)})")
   }
@@ -96,8 +101,10 @@ final class UnitCosts(say: String => Unit) {
   private def kept(top: String)(unit: => Component)(measure: => ujson.Obj): ujson.Value = {
     UnitVerilog.write(work, top)(unit)
     val verilog = Files.readAllBytes(work.resolve(s"$top.v"))
-    val digest  = MessageDigest.getInstance("SHA-256").digest(verilog ++ Ice40Flow.Synthesis.getBytes).take(12).map("%02x".format(_)).mkString
-    val file    = cache.resolve(s"$digest.json")
+    val digest  = MessageDigest.getInstance(
+      "SHA-256"
+    ).digest(verilog ++ Ice40Flow.Synthesis.getBytes).take(12).map("%02x".format(_)).mkString
+    val file = cache.resolve(s"$digest.json")
     if (!Files.exists(file)) OutputFile.writeText(file, ujson.write(measure))
     ujson.read(Files.readString(file))
   }

@@ -14,9 +14,9 @@ object BlendPlan {
   private val words  = config.tileWidth * config.tileHeight
 
   def apply(seed: Long): MutationPlan = {
-    val r    = new Random(seed)
-    val time = new Timeline
-    var t    = 0
+    val r     = new Random(seed)
+    val time  = new Timeline
+    var t     = 0
     var mixed = 0L // whether what entered a clock ago goes on
 
     /** What enters at `t`: port values; whether it is to be written; whether it is the mark. */
@@ -25,7 +25,7 @@ object BlendPlan {
       time.drive(t, "io_up_valid" -> valid)
       time.drive(t, f.getOrElse(Map.empty).map { case (p, v) => s"io_up_payload_$p" -> v }.toSeq: _*)
       time.drive(t + 1, "io_passed" -> (if (passed) 1L else 0L))
-      time.expect(t + 1, "io_busy" -> (valid | mixed))
+      time.expect(t + 1, "io_busy"  -> (valid | mixed))
       mixed = if (passed) valid else 0
       time.expect(t + 2, "io_tileEnd_valid" -> (if (mark) 1L else 0L))
       if (mark) time.expect(t + 2, "io_tileEnd_payload" -> bank.toLong)
@@ -37,12 +37,19 @@ object BlendPlan {
       val start = t
       time.sweep(t, words, None)((_, _) => ())
       idle(2 * words + 1)
+      var cleared = t
       for ((places, n) <- Seq(4, words, 5, words).zipWithIndex) {
         val bank   = n % 2
         val buffer = Array.fill(words)(clear)
         for (at <- BlendPlan.places(r, places, if (blend) 3 else 2, 180)) {
           if (r.nextInt(5) == 0) idle(1)
-          val (color, a, passed) = (BlendPlan.color(r), Seq(0, 31, r.nextInt(32))(r.nextInt(3)), r.nextInt(4) > 0)
+          if (t > cleared && r.nextInt(8) == 0) {
+            idle(2)
+            time.hold(t, bank)
+            idle(1)
+          }
+          val (color, a, passed) =
+            (BlendPlan.color(r), Seq(0, 31, r.nextInt(32))(r.nextInt(3)), r.nextInt(4) > 0)
           enter(Some(payload(at, bank, color, a, mark = false)), passed, mark = false, bank)
           if (passed) buffer(at) = if (blend) model.fragment.Blend(color, buffer(at), a) else color
         }
@@ -53,13 +60,20 @@ object BlendPlan {
           mark = true,
           bank
         )
-        time.sweep(t + 2, words, Some(bank))((clock, a) => time.expect(clock, "io_color" -> buffer(a).toLong))
+        cleared = time.sweep(t + 2, words, Some(bank))((clock, a) =>
+          time.expect(clock, "io_color" -> buffer(a).toLong)
+        )
       }
       idle(2 * words + 8)
       for (clock <- start until t)
         time.drive(clock, "io_state_blend" -> (if (blend) 1L else 0L), "io_clearColor" -> clear.toLong)
     }
-    MutationPlan("Blend", () => Blend(config, Tech.Generic), time.steps)
+    val loose = Seq("address" -> 6, "bank" -> 1, "r" -> 5, "g" -> 6, "b" -> 5, "a" -> 5, "tileEnd" -> 1)
+    MutationPlan(
+      "Blend",
+      () => Blend(config, Tech.Generic),
+      time.steps(r, loose.map { case (f, bits) => s"io_up_payload_$f" -> bits } ++ Timeline.idleClear(6))
+    )
   }
 
   private def payload(at: Int, bank: Int, color: Int, a: Int, mark: Boolean): Map[String, Long] = Map(

@@ -11,46 +11,93 @@ object DepthTestPlan {
   private val words  = config.tileWidth * config.tileHeight
 
   def apply(seed: Long): MutationPlan = {
-    val r      = new Random(seed)
-    val time   = new Timeline
-    val depth  = new model.fragment.DepthTest(words)
+    val r         = new Random(seed)
+    val time      = new Timeline
+    val depth     = new model.fragment.DepthTest(words)
     var (t, bank) = (time.sweep(0, words, None)((_, _) => ()), 0)
 
     /** What enters at `t`. */
     def enter(f: Option[DepthItem], state: RenderState): Unit = {
-      val valid = if (f.isDefined) 1L else 0L
-      time.drive(t, "io_up_valid" -> valid)
+      val valid    = if (f.isDefined) 1L else 0L
+      time.drive(t, "io_up_valid"    -> valid)
       time.expect(t, "io_down_valid" -> valid)
-      time.expect(t + 1, "io_busy" -> valid)
-      time.drive(t + 1, "io_z" -> f.fold(r.nextInt(65536))(_.z).toLong)
+      time.expect(t + 1, "io_busy"   -> valid)
+      time.drive(t + 1, "io_z"       -> f.fold(r.nextInt(65536))(_.z).toLong)
       for (i <- f) {
-        val channels = Seq("r" -> r.nextInt(32), "g" -> r.nextInt(64), "b" -> r.nextInt(32), "a" -> r.nextInt(32))
-          .map { case (c, v) => c -> v.toLong } :+ "tileEnd" -> (if (i.end) 1L else 0L)
+        val channels =
+          Seq("r" -> r.nextInt(32), "g" -> r.nextInt(64), "b" -> r.nextInt(32), "a" -> r.nextInt(32))
+            .map { case (c, v) => c -> v.toLong } :+ "tileEnd" -> (if (i.end) 1L else 0L)
         time.drive(t, channels.map { case (c, v) => s"io_up_payload_$c" -> v }: _*)
-        time.drive(t, "io_up_payload_x" -> (i.at % config.tileWidth).toLong, "io_up_payload_y" -> (i.at / config.tileWidth).toLong)
+        time.drive(
+          t,
+          "io_up_payload_x" -> (i.at % config.tileWidth).toLong,
+          "io_up_payload_y" -> (i.at / config.tileWidth).toLong
+        )
         time.expect(t, channels.map { case (c, v) => s"io_down_payload_$c" -> v }: _*)
         time.expect(t, "io_down_payload_address" -> i.at.toLong, "io_down_payload_bank" -> bank.toLong)
-        time.expect(t + 1, "io_passed" -> (if (i.end || depth(i.at, i.z, state)) 1L else 0L))
+        time.expect(t + 1, "io_passed"           -> (if (i.end || depth(i.at, i.z, state)) 1L else 0L))
       }
       t += 1
     }
 
-    for (function <- 0 to 7; write <- Seq(true, false); items <- Seq(DepthItem.close(r, 200), DepthItem.far(r, 200))) {
+    // Three tiles for each state, so that both banks see all kinds.
+    for {
+      function <- 0 to 7
+      write    <- Seq(true, false)
+      items    <- Seq(DepthItem.close(r, 200), DepthItem.far(r, 200), DepthItem.far(r, 200))
+    } {
       val state = RenderState(depth = DepthFunction.decode(function), depthWrite = write)
       val start = t
-      for (i <- items) {
+      for ((i, n) <- items.zipWithIndex) {
         if (r.nextInt(4) == 0) enter(None, state)
+        if (n > 150 && r.nextInt(8) == 0) { // the other bank is clear again
+          enter(None, state)
+          time.hold(t, bank)
+          enter(None, state)
+        }
         enter(Some(i), state)
       }
       enter(Some(DepthItem(0, r.nextInt(65536), end = true)), state)
       depth.clear()
       for (clock <- start to t)
-        time.drive(clock, "io_state_depthFunction" -> function.toLong, "io_state_depthWrite" -> (if (write) 1L else 0L))
+        time.drive(
+          clock,
+          "io_state_depthFunction" -> function.toLong,
+          "io_state_depthWrite"    -> (if (write) 1L else 0L)
+        )
       time.sweep(t + 1, words, Some(bank))((_, _) => ())
       bank = 1 - bank
       Seq.fill(3)(enter(None, state))
     }
-    MutationPlan("DepthTest", () => DepthTest(config), time.steps)
+    // Both banks full of what was drawn, then cleared at once.
+    val dirty = RenderState(depth = DepthFunction.Always, depthWrite = true)
+    for (_ <- 0 to 1) {
+      val start = t
+      for (at <- 0 until words) enter(Some(DepthItem(at, r.nextInt(65536), end = false)), dirty)
+      enter(Some(DepthItem(0, 0, end = true)), dirty)
+      bank = 1 - bank
+      enter(None, dirty)
+      for (clock <- start to t) time.drive(clock, "io_state_depthFunction" -> 7, "io_state_depthWrite" -> 1)
+    }
+    depth.clear()
+    val swept = time.sweep(t, words, None)((_, _) => ())
+    val less  = RenderState(depth = DepthFunction.Less)
+    while (t < swept) enter(None, less)
+    for (_ <- 0 to 1) {
+      val start = t
+      for (at <- 0 until words) enter(Some(DepthItem(at, r.nextInt(65536), end = false)), less)
+      enter(Some(DepthItem(0, 0, end = true)), less)
+      depth.clear()
+      bank = 1 - bank
+      enter(None, less)
+      for (clock <- start to t) time.drive(clock, "io_state_depthFunction" -> 1, "io_state_depthWrite" -> 1)
+    }
+    val loose = Seq("x" -> 3, "y" -> 3, "r" -> 5, "g" -> 6, "b" -> 5, "a" -> 5, "tileEnd" -> 1)
+    MutationPlan(
+      "DepthTest",
+      () => DepthTest(config),
+      time.steps(r, loose.map { case (f, bits) => s"io_up_payload_$f" -> bits } ++ Timeline.idleClear(6))
+    )
   }
 }
 

@@ -34,7 +34,7 @@ final class EdgeJobs(config: RasterConfig, r: Random) {
         r.shuffle(Seq((x0, y0), (x1, y1), if (r.nextBoolean()) (x0, y1) else (r.between(-64, 320), y1)))
       }
     ),
-    "edges through pixel centres" -> (() => jobs(1000)(Seq.fill(3)(centre))),
+    "edges through pixel centres"       -> (() => jobs(1000)(Seq.fill(3)(centre))),
     "edges that cut off the whole tile" -> (() =>
       jobs(600) {
         val (dx, dy) = (r.between(-400, 400), r.between(-400, 400))

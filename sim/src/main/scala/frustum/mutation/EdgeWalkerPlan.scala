@@ -23,20 +23,27 @@ object EdgeWalkerPlan {
         Seq("io_up_payload_end", "io_up_payload_y", "io_up_payload_first", "io_up_payload_last")
       )),
       events = jobs.flatMap { job =>
-        job.spans.map(s => Seq(0, s.y, s.first, s.last).map(v => Some(BigInt(v)))) :+ Seq(Some(BigInt(1)), None, None, None)
+        job.spans.map(s => Seq(0, s.y, s.first, s.last).map(v => Some(BigInt(v)))) :+ Seq(
+          Some(BigInt(1)),
+          None,
+          None,
+          None
+        )
       }.toIndexedSeq
     )
   }
 
   private def steps(job: EdgeJob, r: Random): Seq[MutationStep] = {
     val (stepAt, edgeAt) = EdgeJobs.times(r)
-    val size             = values("io_lastColumn" -> job.lastColumn, "io_lastRow" -> job.lastRow)
+    // The screen's end is looked at with `start` alone: the next triangle may belong to a tile at another side.
+    def other =
+      values("io_lastColumn" -> r.nextInt(config.tileWidth), "io_lastRow" -> r.nextInt(config.tileHeight))
     val load = (0 to edgeAt.last).map { clock =>
       val (step, edge) = (stepAt.indexOf(clock), edgeAt.indexOf(clock))
-      val slope =
-        if (step < 0) r.between(-65535, 65536) else (if (step % 2 == 0) job.stepX else job.stepY)(step / 2)
+      val slope        =
+        if (step < 0) r.between(-65535, 65536) else (if (step % 2 == 0) job.stepX else job.stepY) (step / 2)
       MutationStep(
-        size ++ values(
+        other ++ values(
           "io_step_valid"         -> (if (step < 0) 0 else 1),
           "io_step_payload"       -> slope,
           "io_edge_valid"         -> (if (edge < 0) 0 else 1),
@@ -45,13 +52,13 @@ object EdgeWalkerPlan {
         )
       )
     }
-    // The next triangle may belong to a tile at another side of the screen.
-    val other = values("io_lastColumn" -> r.nextInt(config.tileWidth), "io_lastRow" -> r.nextInt(config.tileHeight))
-    val rest  = Seq.fill(1 + r.nextInt(4))(MutationStep(size))
-    load ++ rest ++ Seq(
-      MutationStep(size ++ values("io_start" -> 1)),
-      MutationStep(other),
-      MutationStep(other, waits = true)
-    )
+    def idle(waits: Boolean) =
+      MutationStep(
+        other ++ values("io_step_payload" -> r.nextInt(), "io_edge_payload_value" -> r.nextInt()),
+        waits = waits
+      )
+    val start = values("io_start" -> 1, "io_lastColumn" -> job.lastColumn, "io_lastRow" -> job.lastRow)
+    load ++ Seq.fill(1 + r.nextInt(4))(idle(waits = false)) ++
+      Seq(MutationStep(start), idle(waits = false), idle(waits = true))
   }
 }

@@ -10,7 +10,7 @@ final class MutationBench(plan: MutationPlan, ports: Seq[UnitPort], file: String
     val select       = in UInt (MutantNetlist.SelectBits bits)
     val failed, done = out Bool ()
   }
-  private val netlist         = new MutantNetlist(plan.name, ports, file)
+  private val netlist           = new MutantNetlist(plan.name, ports, file)
   private val (inputs, outputs) = ports.partition(_.isInput)
   netlist.mutsel := io.select
   plan.steps.flatMap(s => s.inputs.keys ++ s.expect.keys).distinct.foreach(name =>
@@ -44,7 +44,8 @@ final class MutationBench(plan: MutationPlan, ports: Seq[UnitPort], file: String
   private val moves = !ended && !(waits && !plan.waitsFor.fold(True)(high))
   when(moves)(at := at + 1)
 
-  private val shown      = if (outputs.isEmpty) B(0, 1 bits) else Cat(outputs.reverse.map(p => netlist.port(p.name)))
+  private val shown =
+    if (outputs.isEmpty) B(0, 1 bits) else Cat(outputs.reverse.map(p => netlist.port(p.name)))
   private val wrongShown = ((shown ^ step.take(widthOut)) & step(widthOut, widthOut bits)).orR
 
   private val wrongEvent, moved = Bool()
@@ -66,7 +67,7 @@ final class MutationBench(plan: MutationPlan, ports: Seq[UnitPort], file: String
       allLeft    := n === plan.events.length
       wrongEvent := leaves && (allLeft || ((is ^ should.take(width)) & should.drop(width)).orR)
       when(leaves && !allLeft)(n := n + 1)
-      moved := leaves
+      moved      := leaves
     case None =>
       allLeft    := True
       wrongEvent := False
@@ -78,14 +79,14 @@ final class MutationBench(plan: MutationPlan, ports: Seq[UnitPort], file: String
   inside := inside + (moves && waits).asUInt - moved.asUInt
 
   private val still = Reg(UInt(log2Up(MutationBench.Patience + 1) bits)) init 0
-  still := still + 1
-  when(moves || moved)(still := 0)
+  still                                                                          := still + 1
+  when(moves || moved)(still                                                                          := 0)
   private val finished = ended && allLeft
   private val failed, done = RegInit(False)
-  when(finished && still === MutationBench.Rest)(done := True)
+  when(finished && still === MutationBench.Rest)(done                                                 := True)
   when(wrongShown || wrongEvent || wrongBusy || still === MutationBench.Patience && !finished)(failed := True)
-  io.failed := failed
-  io.done   := done
+  io.failed                                                                      := failed
+  io.done                                                                        := done
 
   private def ones(width: Int): BigInt = (BigInt(1) << width) - 1
 

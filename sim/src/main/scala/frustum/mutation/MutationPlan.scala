@@ -36,5 +36,7 @@ final case class MutationPlan(
 object MutationPlan {
 
   /** Port values from numbers. */
-  def values(ports: (String, Long)*): Map[String, BigInt] = ports.map { case (name, v) => name -> BigInt(v) }.toMap
+  def values(ports: (String, Long)*): Map[String, BigInt] = ports.map { case (name, v) =>
+    name -> BigInt(v)
+  }.toMap
 }

@@ -6,7 +6,13 @@ import java.nio.file.{Files, Path}
 import spinal.core.sim._
 
 /** What became of a unit's mutants. */
-final case class MutationResult(name: String, steps: Int, killed: Seq[Mutant], equivalent: Seq[Mutant], survivors: Seq[Mutant]) {
+final case class MutationResult(
+    name: String,
+    steps: Int,
+    killed: Seq[Mutant],
+    equivalent: Seq[Mutant],
+    survivors: Seq[Mutant]
+) {
   val count: Int = killed.length + equivalent.length + survivors.length
 
   /** Of those that differ from the unit at all, as far as it can be shown. */
@@ -30,7 +36,9 @@ final class MutationRun(yosys: Tool, folder: Path, say: String => Unit) {
     var kills = Seq.empty[Mutant]
     sim.doSim("mutants", seed.toInt) { dut =>
       if (fails(dut, 0))
-        throw new IllegalStateException(s"${plan.name}: the netlist without a mutation does not do what its model does")
+        throw new IllegalStateException(
+          s"${plan.name}: the netlist without a mutation does not do what its model does"
+        )
       kills = mutants.filter(m => fails(dut, m.number))
     }
     val alive = mutants.diff(kills)
@@ -43,9 +51,12 @@ final class MutationRun(yosys: Tool, folder: Path, say: String => Unit) {
     val clock = dut.clockDomain
     if (mutant == 0) clock.forkStimulus(MutationRun.Period)
     dut.io.select #= mutant
-    clock.assertReset()
-    sleep(4 * MutationRun.Period)
-    clock.deassertReset()
+    for (clocks <- Seq(MutationRun.Prelude, 1)) { // a reset in the midst of work, which has to forget it
+      clock.assertReset()
+      sleep(4 * MutationRun.Period)
+      clock.deassertReset()
+      sleep(clocks * MutationRun.Period)
+    }
     var left = MutationRun.Patience
     while (!dut.io.failed.toBoolean && !dut.io.done.toBoolean && left > 0) {
       sleep(MutationRun.Chunk * MutationRun.Period)
@@ -57,6 +68,9 @@ final class MutationRun(yosys: Tool, folder: Path, say: String => Unit) {
 
 object MutationRun {
   private val Period = 10L
+
+  /** Clocks before the reset that counts. */
+  private val Prelude = 777L
 
   /** Clocks between two looks, and looks until a run that goes on and on is given up. */
   private val Chunk    = 256

@@ -23,20 +23,29 @@ final class Mutations(yosys: Tool, folder: Path) {
   /** Writes `<name>.mutants.v` and `.il`, with the port `mutsel`; gives the unit's ports and the mutants. */
   def make(name: String, count: Int, seed: Long)(unit: => Component): (Seq[UnitPort], Seq[Mutant]) = {
     require(count <= MutantNetlist.Most, s"$count mutants, at most ${MutantNetlist.Most}")
-    val ports = UnitPort.of(UnitVerilog.write(folder, name)(unit))
+    val ports  = UnitPort.of(UnitVerilog.write(folder, name)(unit))
+    val coarse =
+      "proc; flatten; opt -full; wreduce; opt_clean; memory_dff; memory_collect; pmuxtree; opt_clean"
     script(
-      s"$name.yosys.log",
-      s"read_verilog $name.v; hierarchy -top $name; proc; flatten; opt -full; wreduce; opt_clean; memory_dff; memory_collect; " +
-        s"opt_clean; write_rtlil $name.il; " +
-        s"mutate -list $count -seed $seed -none -ctrl mutsel ${MutantNetlist.SelectBits} 0 -o $name.list; script $name.list; opt_clean; " +
-        // Verilator 5.006 loses bits of vectors that are driven in parts.
-        s"splitnets; clean; write_rtlil $name.mutants.il; write_verilog -noattr $name.mutants.v"
+      s"$name.list.log",
+      s"read_verilog $name.v; hierarchy -top $name; $coarse; write_rtlil $name.il; " +
+        s"mutate -list $count -seed $seed -none -ctrl mutsel ${MutantNetlist.SelectBits} 0 -o $name.list"
     )
-    val mutants = Files.readAllLines(folder.resolve(s"$name.list")).asScala.toSeq.map(_.split(' ').toSeq).zipWithIndex.tail.map {
-      case (words, number) =>
-        def after(key: String) = words.indexOf(key) match { case -1 => ""; case i => words(i + 1) }
-        val place = Seq("-portbit" -> "", "-ctrlbit" -> " by ").map { case (k, sep) => if (after(k).isEmpty) "" else sep + after(k) }
-        Mutant(number, after("-mode"), after("-cell"), s"${after("-port")}[${place.mkString}]", after("-wire"))
+    // An edge of the clock is no value.
+    val list =
+      Files.readAllLines(folder.resolve(s"$name.list")).asScala.toSeq.filterNot(_.contains("-port CLK"))
+    Files.writeString(folder.resolve(s"$name.ys"), list.mkString("", "\n", "\n"))
+    script(
+      s"$name.mutants.log",
+      // Verilator 5.006 loses bits of vectors that are driven in parts: nets are split.
+      s"read_rtlil $name.il; script $name.ys; opt_clean; splitnets; clean; write_rtlil $name.mutants.il; " +
+        s"write_verilog -noattr $name.mutants.v"
+    )
+    val mutants = list.tail.map(_.split(' ').toSeq).map { words =>
+      def after(key: String) = words.indexOf(key) match { case -1 => ""; case i => words(i + 1) }
+      val by                 = if (after("-ctrlbit").isEmpty) "" else s" by ${after("-ctrlbit")}"
+      val place              = s"${after("-port")}[${after("-portbit")}$by]"
+      Mutant(words(words.indexOf("-ctrl") + 3).toInt, after("-mode"), after("-cell"), place, after("-wire"))
     }
     (ports, mutants)
   }

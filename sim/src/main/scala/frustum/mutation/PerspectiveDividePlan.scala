@@ -13,26 +13,31 @@ object PerspectiveDividePlan {
   /** s, t, q. */
   def inputs(random: Random, count: Int): Seq[(Int, Int, Int)] =
     (for (q <- corners; s <- corners) yield (s, -s, q)) ++
-      Seq.fill(count)((random.nextInt() >> random.nextInt(20), random.nextInt(), random.nextInt() >>> random.nextInt(20)))
+      Seq.fill(count)((
+        random.nextInt() >> random.nextInt(20),
+        random.nextInt(),
+        random.nextInt() >>> random.nextInt(20)
+      ))
 
   def apply(seed: Long): MutationPlan = {
-    val random = new Random(seed)
-    val in     = inputs(random, 5000)
+    val random                  = new Random(seed)
+    val in                      = inputs(random, 5000)
     def word(v: Int, bits: Int) = v & (1L << bits) - 1
     MutationPlan(
       "PerspectiveDivide",
       () => texture.PerspectiveDivide(Tech.Generic),
       in.flatMap { case (s, t, q) =>
-        val entry = MutationStep(
+        def step(valid: Boolean, s: Int, t: Int, q: Int) = MutationStep(
           values(
-            "io_up_valid"     -> 1,
+            "io_up_valid"     -> (if (valid) 1 else 0),
             "io_up_payload_s" -> word(s, 32),
             "io_up_payload_t" -> word(t, 32),
             "io_up_payload_q" -> word(q, 32)
           ),
-          waits = true
+          waits = valid
         )
-        Seq.fill(random.nextInt(4) / 2)(MutationStep(Map.empty)) :+ entry
+        def any = random.nextInt()
+        Seq.fill(random.nextInt(4) / 2)(step(valid = false, any, any, any)) :+ step(valid = true, s, t, q)
       }.toIndexedSeq,
       waitsFor = Some("io_up_ready"),
       stalled = Seq("io_down_ready"),

@@ -1,6 +1,7 @@
 package frustum.mutation
 
 import scala.collection.mutable
+import scala.util.Random
 
 /** Steps of a unit that never waits, written down by clock. */
 final class Timeline {
@@ -13,6 +14,16 @@ final class Timeline {
   }
   def drive(clock: Int, ports: (String, Long)*): Unit  = add(inputs, clock, ports)
   def expect(clock: Int, ports: (String, Long)*): Unit = add(expected, clock, ports)
+
+  /** The resolver holds a bank in this clock without clearing any of it. */
+  def hold(clock: Int, bank: Int): Unit =
+    drive(
+      clock,
+      "io_clear_active" -> 1,
+      "io_clear_bank"   -> bank.toLong,
+      "io_clear_write"  -> 0,
+      "io_clear_read"   -> 0
+    )
 
   /** Clears a bank of the tile memory, or both, word after word as the resolver does, two clocks each.
     *
@@ -37,6 +48,21 @@ final class Timeline {
     from + 2 * words
   }
 
-  def steps: IndexedSeq[MutationStep] =
-    (0 until end).map(t => MutationStep(inputs.getOrElse(t, Map.empty), expected.getOrElse(t, Map.empty)))
+  /** @param loose ports with their bits that show anything at all where nothing is said of them */
+  def steps(r: Random, loose: Seq[(String, Int)]): IndexedSeq[MutationStep] = (0 until end).map { t =>
+    val any = loose.map { case (port, bits) => port -> BigInt(bits, r) }
+    MutationStep(any.toMap ++ inputs.getOrElse(t, Map.empty), expected.getOrElse(t, Map.empty))
+  }
+}
+
+object Timeline {
+
+  /** What the resolver says while it holds no bank. */
+  def idleClear(addressBits: Int): Seq[(String, Int)] = Seq(
+    "io_clear_bank"         -> 1,
+    "io_clear_read"         -> 1,
+    "io_clear_write"        -> 1,
+    "io_clear_readAddress"  -> addressBits,
+    "io_clear_writeAddress" -> addressBits
+  )
 }

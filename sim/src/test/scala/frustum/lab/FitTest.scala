@@ -3,6 +3,7 @@ package frustum.lab
 import frustum.InputError
 import frustum.command.CommandRunner
 import frustum.host.DrawOptions
+import frustum.reference.raster.Mesa
 import frustum.scene.{Material, Scene, Scenes, TextureImage}
 import frustum.spec.{Combine, PlaneFormats, RasterConfig, Wrap}
 import java.nio.file.{Files, Path}
@@ -48,6 +49,16 @@ class FitTest extends AnyFunSuite {
       result.features.config.formats.coordinate
     }
     assert(answers.head - answers(1) >= 3 && answers.head - answers(1) <= 5, answers)
+  }
+
+  test("a planted budget that the answer just fails needs one bit more, and gets no more than that") {
+    val scene  = cube(32)
+    val first  = fit(scene, FitBudget(2, None, None))
+    val errors = first.trained.map(_._2.texelsWrong).max
+    // Half of this is a little less than what the worst view has.
+    val second = fit(scene, FitBudget(2 * 0.99 * errors, None, None))
+    val bits   = Seq(first, second).map(_.features.config.formats.coordinate)
+    assert(second.met && bits(1) == bits.head - 1, bits)
   }
 
   test("depth and colours: bits are saved where their budgets are given, and one less breaks them") {
@@ -159,6 +170,15 @@ class FitTest extends AnyFunSuite {
     ).bool && report("heldOutViews").num == 40 && report("hardwareVsModel")("pixelsDifferent").num == 0)
     assert(report("configuration")("coordinate").num > 0 && run.out.contains(report("scala").str))
     assert(report("oneBitLess")("coordinate").num > Fit.Margin)
+    if (Mesa.found.isEmpty) info(Mesa.Missing)
+    else {
+      val referee = report("referee")
+      assert(
+        referee("renderer").str == "llvmpipe" && referee("views").num == 40 && referee("viewsOver").num == 0,
+        referee
+      )
+      assert(referee("texelsWrongPercent").num > 0 && referee("texelsWrongPercent").num < 2, referee)
+    }
     for (f <- Seq("cube.csv", "cube-worst.png", "index.html"))
       assert(Files.size(out.resolveSibling(f)) > 100, f)
     for (line <- Files.readString(out.resolveSibling("cube.csv")).linesIterator.drop(1))

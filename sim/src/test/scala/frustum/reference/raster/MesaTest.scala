@@ -1,12 +1,11 @@
 package frustum.reference.raster
 
-import frustum.judge.{AttributeJudge, Passes}
-import frustum.spec.{FramePass, PackedVertex, RasterConfig}
+import frustum.engine.Engines
+import frustum.host.{DrawOptions, Driver}
+import frustum.judge.{AttributeJudge, FrameJudge, MesaJudge, Passes}
+import frustum.scene.Scenes
+import frustum.spec.{FramePass, RasterConfig, Wrap}
 import org.scalatest.funsuite.AnyFunSuite
-import java.io.{ByteArrayInputStream, ByteArrayOutputStream}
-import java.nio.file.{Files, Path}
-import java.util.Locale
-import scala.sys.process._
 import scala.util.Random
 
 /** The reference against Mesa's llvmpipe, which works in float32 and snaps to 1/256 pixel: our vertices, on
@@ -16,45 +15,7 @@ class MesaTest extends AnyFunSuite {
   private val seed   = 77L
   private val config = RasterConfig(width = 256, height = 192)
 
-  private lazy val program: Option[Path] = {
-    val folder = Files.createTempDirectory("mesa")
-    Files.copy(getClass.getResourceAsStream("/mesa/draw.c"), folder.resolve("draw.c"))
-    val command = Seq("gcc", "-O1", "-o", s"$folder/draw", s"$folder/draw.c", "-lOSMesa")
-    val built   =
-      try command.!(ProcessLogger(_ => ())) == 0
-      catch { case _: java.io.IOException => false }
-    Option.when(built)(folder.resolve("draw"))
-  }
-
-  /** Colours as 0xRRGGBB, rows from the top; colours of the vertices are given by `color`. */
-  private def mesa(
-      pass: FramePass,
-      textured: Boolean
-  )(color: (Int, PackedVertex) => Seq[Double]): Array[Int] = {
-    val draw =
-      program.getOrElse(cancel("Mesa is not here: install libosmesa6-dev and gcc for this cross-check"))
-    val vertices = for ((t, n) <- pass.triangles.zipWithIndex; i <- Seq(t.v0, t.v1, t.v2)) yield {
-      val v = ScreenVertex.of(pass.vertices(i))
-      (Seq(v.x, v.y, v.z / 65535, v.q, v.s, v.t) ++ color(n, pass.vertices(i)))
-        .map(d => "%.17g".formatLocal(Locale.ROOT, d)).mkString(" ")
-    }
-    val size  = s"${config.width} ${config.height} ${if (textured) 1 else 0} ${pass.triangles.length}"
-    val input = (size +: vertices).mkString("\n")
-    val out   = new ByteArrayOutputStream
-    val run   = Process(
-      Seq(draw.toString),
-      None,
-      "GALLIUM_DRIVER" -> "llvmpipe"
-    ) #< new ByteArrayInputStream(input.getBytes) #> out
-    val about = new StringBuilder
-    assert(run.!(ProcessLogger(_ => (), line => about ++= line)) == 0, about)
-    assert(about.toString.contains("llvmpipe"), about)
-    val bytes = out.toByteArray
-    Array.tabulate(config.width * config.height) { i =>
-      val at = 4 * ((config.height - 1 - i / config.width) * config.width + i % config.width)
-      (0 until 3).foldLeft(0)((c, k) => c << 8 | bytes(at + k) & 255)
-    }
-  }
+  private lazy val mesa = Mesa.found.getOrElse(cancel(Mesa.Missing))
 
   /** The triangle that shows at each pixel when all are drawn in order without a depth test, -1 where there
     * is none.
@@ -89,28 +50,39 @@ class MesaTest extends AnyFunSuite {
 
   test("coverage agrees, pixel for pixel") {
     val pass  = soup(seed, 1000)
-    val drawn =
-      mesa(pass, textured = false)((n, _) => Seq((n + 1) / 256 / 255.0, (n + 1) % 256 / 255.0, 0, 1))
-    val wrong = drawn.zip(last(pass)).count { case (color, n) => (color >> 8) - 1 != n }
+    val drawn = mesa.triangles(pass, config, depth = false)
+    val wrong = drawn.zip(last(pass)).count { case (a, b) => a != b }
     assert(wrong == 0, s"of ${drawn.length} pixels, seed $seed")
   }
 
   test("texels in perspective agree where they are judged") {
     val pass   = soup(seed + 1, 60)
-    val drawn  = mesa(pass, textured = true)((_, _) => Seq(1, 1, 1, 1))
+    val drawn  = mesa.texels(pass, config, depth = false)
     val planes = pass.triangles.map(t =>
       new TriangleAttributes(IndexedSeq(t.v0, t.v1, t.v2).map(i => ScreenVertex.of(pass.vertices(i))))
     )
-    val verdicts = for (
-      (n, i) <- last(pass).zipWithIndex if n >= 0;
-      v      <- AttributeJudge.one(
-        pass.states.head,
-        planes(n)(i % config.width, i / config.width),
-        drawn(i) >> 20 & 15,
-        drawn(i) >> 12 & 15
-      )
-    ) yield v
+    val verdicts = for {
+      (n, i)  <- last(pass).zipWithIndex if n >= 0
+      (s, t)  <- drawn(i)
+      verdict <- AttributeJudge.one(pass.states.head, planes(n)(i % config.width, i / config.width), s, t)
+    } yield verdict
     val sum = verdicts.reduce(_ + _)
     assert(sum.judged > 20000 && sum.wrong <= sum.judged / 500, s"$sum, seed $seed")
+  }
+
+  test(
+    "of every scene the model shows the same triangles and texels, but for depths and texels that lie close"
+  ) {
+    val judge = new FrameJudge(Engines.model, simulated = false)
+    for (name <- Scenes.names) {
+      val scene   = Scenes.byName(name)
+      val options = DrawOptions(None, cullBack = false, Wrap.Repeat, scene.background)
+      val frame   = Driver.prepare(scene, scene.camera, options, config, 0)
+      for (v <- MesaJudge.judge(mesa, frame, judge.drawModel(frame)._3)) {
+        info(s"$name: $v")
+        assert(v.primitiveWrong <= 20 && v.wrong <= 1 + v.judged / 1000, s"$name: $v")
+        assert(v.judged > 1000 || scene.materials.forall(_.texture.isEmpty), s"$name: $v")
+      }
+    }
   }
 }

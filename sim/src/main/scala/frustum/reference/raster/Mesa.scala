@@ -1,0 +1,78 @@
+package frustum.reference.raster
+
+import frustum.OutputFile
+import frustum.spec.{FramePass, RasterConfig, RenderState}
+import java.io.{ByteArrayInputStream, ByteArrayOutputStream}
+import java.nio.file.{Files, Path}
+import java.util.Locale
+import scala.sys.process._
+
+/** Mesa's llvmpipe, off-screen, as a referee: another renderer, in float32, that snaps to 1/256 pixel, so that our vertices, on
+  * 1/16, are on its grid as well.
+  *
+  * @param program `draw.c` of the resources, compiled
+  */
+final class Mesa(program: Path) {
+
+  /** Index of the triangle that shows at each pixel, rows from the top, -1 where there is none.
+    *
+    * @param depth by the depth test of the states; otherwise the last one shows
+    */
+  def triangles(pass: FramePass, config: RasterConfig, depth: Boolean): Array[Int] =
+    draw(pass, config, textured = false, depth).map(_ - 1)
+
+  /** Texel that shows at each pixel as (s, t), None where nothing does. Every triangle counts as textured. */
+  def texels(pass: FramePass, config: RasterConfig, depth: Boolean): Array[Option[(Int, Int)]] =
+    draw(pass, config, textured = true, depth).map(c => Option.when((c & 255) != 0)((c >> 16, c >> 8 & 255)))
+
+  private def draw(pass: FramePass, config: RasterConfig, textured: Boolean, depth: Boolean): Array[Int] = {
+    val lines = pass.triangles.zipWithIndex.flatMap { case (t, n) =>
+      words(pass.states(t.state)) +: Seq(t.v0, t.v1, t.v2).map { i =>
+        val v = ScreenVertex.of(pass.vertices(i))
+        Seq(v.x, v.y, v.z / ScreenVertex.DepthMax, v.q, v.s, v.t)
+          .map(d => "%.17g".formatLocal(Locale.ROOT, d)).mkString(" ") + s" ${n + 1}"
+      }
+    }
+    def flag(b: Boolean) = if (b) 1 else 0
+    val size  = s"${config.width} ${config.height} ${flag(textured)} ${flag(depth)} ${pass.triangles.length}"
+    val input = (size +: lines).mkString("\n")
+    val out   = new ByteArrayOutputStream
+    val about = new StringBuilder
+    val run   =
+      Process(
+        Seq(program.toString),
+        None,
+        "GALLIUM_DRIVER" -> "llvmpipe"
+      ) #< new ByteArrayInputStream(input.getBytes) #> out
+    val code = run.!(ProcessLogger(_ => (), line => about ++= line))
+    if (code != 0 || !about.toString.contains("llvmpipe"))
+      throw new IllegalStateException(s"Mesa ended with $code and said: $about")
+    val bytes = out.toByteArray
+    Array.tabulate(config.width * config.height) { i =>
+      val at = 4 * ((config.height - 1 - i / config.width) * config.width + i % config.width)
+      (0 until 3).foldLeft(0)((c, k) => c << 8 | bytes(at + k) & 255)
+    }
+  }
+
+  private def words(s: RenderState): String = {
+    val (w, h) = s.texture.fold((3, 3))(t => (t.log2Width, t.log2Height))
+    val flags  = Seq(s.depth.less, s.depth.equal, s.depth.greater, s.depthWrite).map(if (_) 1 else 0)
+    (Seq(w, h, s.wrapS.code, s.wrapT.code) ++ flags).mkString(" ")
+  }
+}
+
+object Mesa {
+  val Missing = "Mesa is not here: install libosmesa6-dev and gcc for this cross-check"
+
+  /** None where Mesa or a C compiler is missing. */
+  lazy val found: Option[Mesa] = {
+    val folder = Files.createDirectories(Path.of(".cache", "mesa")).toAbsolutePath
+    val source = getClass.getResourceAsStream("/mesa/draw.c").readAllBytes()
+    OutputFile.write(folder.resolve("draw.c"))(part => Files.write(part, source))
+    val command = Seq("gcc", "-O1", "-o", s"$folder/draw", s"$folder/draw.c", "-lOSMesa")
+    val built   =
+      try command.!(ProcessLogger(_ => ())) == 0
+      catch { case _: java.io.IOException => false }
+    Option.when(built)(new Mesa(folder.resolve("draw")))
+  }
+}

@@ -1,0 +1,37 @@
+package frustum.mutation
+
+import frustum.boards.flow.{Ice40Tools, MissingTool, Tool}
+import frustum.command.CommandRunner
+import java.nio.file.Paths
+import org.scalatest.funsuite.AnyFunSuite
+
+/** The vectors of `mutate`: the unit without a mutation does what its model says, and few mutants do. */
+class MutationTest extends AnyFunSuite {
+  private lazy val yosys: Tool =
+    try Ice40Tools.find(_ => ()).yosys
+    catch { case MissingTool(notice) => cancel(s"nothing is mutated: $notice") }
+
+  private val folder = Paths.get("simWorkspace", "mutation")
+
+  test("depth test: 40 mutants, of which nearly all are found; what is left is compared with the unit") {
+    val r = new MutationRun(yosys, folder, info(_))(DepthTestPlan(1), 40, seed = 2)
+    assert(r.count > 30 && r.killed.length >= 0.75 * r.count, r)
+    assert(r.killPercent >= 90, r)
+  }
+
+  test("a mutant that makes no difference is shown to make none, one that does is not") {
+    val mutations        = new Mutations(yosys, folder)
+    val (ports, mutants) = mutations.make("EdgeWalker", 4, seed = 1)(EdgeWalkerPlan(1).unit())
+    assert(ports.exists(p => p.name == "io_up_valid" && !p.isInput && p.width == 1))
+    assert(mutations.isEquivalent("EdgeWalker", 0)) // none at all
+    assert(!mutants.forall(m => mutations.isEquivalent("EdgeWalker", m.number)))
+  }
+
+  for (
+    (words, part) <- Seq(Seq("mutate", "luck") -> "edge-walker", Seq("mutate", "--mutants", "5000") -> "4095")
+  )
+    test(s"refused: ${words.mkString(" ")}") {
+      val run = CommandRunner.run(words: _*)
+      assert(run.code == 2 && run.err.length == 1 && run.err.head.contains(part), run)
+    }
+}
