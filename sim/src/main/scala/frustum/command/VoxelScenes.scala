@@ -43,8 +43,8 @@ object VoxelScenes {
           throw InputError(s"--size: ${e.getMessage.stripPrefix("requirement failed: ")}")
       }
     if (o.engine == "small") SmallVoxelPipeline.fault(config).foreach(fault => throw InputError(s"--engine small: $fault"))
-    def together(one: String, given: (String, Option[_])*): Unit =
-      given.collectFirst { case (other, Some(_)) => throw InputError(s"$one: tells what $other does; give one of them") }
+    def together(one: String, others: (String, Option[_])*): Unit =
+      others.collectFirst { case (other, Some(_)) => throw InputError(s"$one: tells what $other does; give one of them") }
     if (o.look.isDefined) together("--look", "--yaw" -> o.yaw, "--pitch" -> o.pitch)
     if (o.path.isDefined) together("--path", "--eye" -> o.eye, "--look" -> o.look, "--yaw" -> o.yaw, "--pitch" -> o.pitch)
     val focal = o.focal.getOrElse(225.0 * config.height / 240)
