@@ -60,6 +60,11 @@ simulator() {
   want '[ -e /usr/include/zlib.h ]' zlib1g-dev
 }
 
+# python_venv: for the tools that come from PyPI.
+python_venv() {
+  python3 -c 'import ensurepip, venv' 2>/dev/null || install python3 python3-venv
+}
+
 # prepare COMMAND: what one command line of sbt needs beyond Java.
 prepare() {
   case " $1 " in
@@ -70,12 +75,19 @@ prepare() {
       python3 -c 'import ensurepip, venv' 2>/dev/null || install python3 python3-venv
       ;;
     " bitstream "*)
-      python3 -c 'import ensurepip, venv' 2>/dev/null || install python3 python3-venv
+      python_venv
       want 'command -v icetime >/dev/null && [ -e /usr/share/fpga-icestorm/chipdb/chipdb-5k.txt ]' \
         fpga-icestorm fpga-icestorm-chipdb
       ;;
     *" --engine model "* | *" --engine reference "*) ;;
-    " demo "* | " render "* | " bench "* | " pong "*) simulator ;;
+    " fit "*" --no-synthesis "*) simulator ;;
+    " fit "*)
+      simulator
+      python_venv
+      ;;
+    " chart "*" --no-synthesis "*) ;;
+    " chart "*) python_venv ;;
+    " demo "* | " render "* | " bench "* | " pong "* | " voxel "*) simulator ;;
     " play "*)
       simulator
       want '[ -z "${DISPLAY-}" ] || ls "$(dirname "$(readlink -f "$(command -v java)")")"/../lib/libawt_xawt.so >/dev/null 2>&1' openjdk-17-jre

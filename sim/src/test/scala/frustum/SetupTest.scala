@@ -17,13 +17,18 @@ class SetupTest extends AnyFunSuite {
   }
 
   test("simulation needs Verilator, make and g++") {
-    for (line <- Seq("demo", "render --scene teapot", "bench raster", "test", "sim/testOnly frustum.X"))
+    for (
+      line <- Seq("demo", "render --scene teapot", "bench raster", "pong", "voxel --seed 2", "play voxel") ++
+        Seq("fit --scene cube", "fit --scene cube --no-synthesis", "test", "sim/testOnly frustum.X")
+    )
       assert(wants(line).linesIterator.next() == "verilator make g++", line)
-    assert(wants("render --scene cube --engine model") == "")
+    for (line <- Seq("render --scene cube --engine model", "voxel --engine model", "chart depth --no-synthesis"))
+      assert(wants(line) == "", line)
   }
 
   test("a bitstream needs Python's venv, and nothing of a simulator") {
-    assert(wants("bitstream icebreaker-raster --seeds 3") == "python3 python3-venv")
+    for (line <- Seq("bitstream icebreaker-raster --seeds 3", "chart depth"))
+      assert(wants(line) == "python3 python3-venv", line)
   }
 
   test("without root the message names the package, in one line, with exit code 2") {

@@ -12,7 +12,7 @@ import spinal.lib._
 
 /** What pong draws, and where to.
   *
-  * @param scene one sphere, the puck, and one quad, the paddle, as [[PongScene.room]] has them
+  * @param scene sphere 0 is the puck and quad 0 the paddle, as [[PongScene.room]] has them; others stand still
   */
 case class PongPipelineConfig(
     mode: VideoMode = VideoMode.Vga640x480,
@@ -20,9 +20,20 @@ case class PongPipelineConfig(
     scene: RayScene = PongScene.room()
 ) {
   require(
-    scene.spheres.size == 1 && scene.quads.size == 1,
+    scene.spheres.nonEmpty && scene.quads.nonEmpty,
     s"pong is a puck and a paddle: the scene has ${scene.spheres.size} spheres, ${scene.quads.size} quads"
   )
+  private val stillSpheres = scene.spheres.tail
+  private val stillQuads   = scene.quads.tail
+  for (((low, high), i) <- stillSpheres.map(s => (s.low, s.high)).zipWithIndex)
+    require(low == high, s"sphere ${i + 1} moves from $low to $high: the game moves the puck, sphere 0, alone; give a centre")
+  for (((low, high), i) <- stillQuads.map(q => (q.low, q.high)).zipWithIndex)
+    require(low == high, s"quad ${i + 1} moves from $low to $high: the game moves the paddle, quad 0, alone; give a centre")
+
+  /** Where everything is when puck and paddle are where the game has them. */
+  def motion(game: RayMotion): RayMotion =
+    game.copy(spheres = game.spheres ++ stillSpheres.map(_.low), quads = game.quads ++ stillQuads.map(_.low))
+
   require(
     scene.camera.fixed,
     s"pong's camera stands still: the scene's goes from ${scene.camera.low} to ${scene.camera.high}"
@@ -63,7 +74,11 @@ case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic) e
   ray.io.latch                                  := Delay(scanner.io.frameEnd, ticked, init = False)
   ray.io.line                                   := scanner.io.line
   ray.io.up.valid                               := scanner.io.active
-  for (a <- 0 to 2) ray.io.motion.spheres(0)(a) := game.io.puck(a)
+  for (a <- 0 to 2) {
+    ray.io.motion.spheres(0)(a) := game.io.puck(a)
+    for (i <- scene.spheres.indices.tail) ray.io.motion.spheres(i)(a) := S(scene.spheres(i).low(a), 12 bits)
+    for (i <- scene.quads.indices.tail) ray.io.motion.quads(i)(a)     := S(scene.quads(i).low(a), 12 bits)
+  }
   ray.io.motion.quads(0).x                      := game.io.paddleX
   ray.io.motion.quads(0).y                      := game.io.paddleY
   ray.io.motion.quads(0).z                      := scene.quads(0).low.z

@@ -1,7 +1,7 @@
 package frustum.command
 
 import frustum.InputError
-import frustum.engine.{EngineSim, PongSession}
+import frustum.engine.{EngineSim, PongBoard, PongSession}
 import frustum.game.{PongKeys, VoxelKeys}
 import frustum.live.LiveScreen
 import frustum.picture.Picture
@@ -64,7 +64,7 @@ object PlayCommand extends CommandLine {
     val config = PongScenes.config(o.mode, None)
     LiveScreen.require()
     println(PongKeys.help)
-    EngineSim.run(PongSession.compile(config), None, o.seed) { dut =>
+    EngineSim.run(PongSession.compile(config, PongBoard.Icebreaker), None, o.seed) { dut =>
       val session = new PongSession(dut)
       val screen  = LiveScreen("Frustum: pong", o.mode.width, o.mode.height)
       try {

@@ -1,9 +1,11 @@
 package frustum.command
 
 import frustum.{InputError, OutputFile}
+import frustum.engine.PongSession
 import frustum.game.{AutoPlayer, ButtonFile}
 import frustum.model.game.{PongButtons, PongGame}
 import frustum.picture.Picture
+import frustum.pipelines.PongPipelineConfig
 import java.nio.file.{Files, Path}
 
 /** `pong`: a game on the simulated board, each frame judged, as PNG files and one animated GIF. */
@@ -16,11 +18,12 @@ object PongCommand extends CommandLine {
 
   private def pong(o: PongOptions): Int = {
     val config = PongScenes.config(o.mode, o.scene)
+    o.scene.foreach(build(config, o, _))
     val player = players(o)
     prepare(o.out)
     OutputFile.check(o.reportFile)
-    println(s"pong: ${o.mode.name}, ${o.frames} frames")
-    val recording = PongRecording(config, player, o.seed, o.frames, o.out.resolve("pong.gif")) {
+    println(s"pong: ${o.board.top}, ${o.mode.name}, ${o.frames} frames")
+    val recording = PongRecording(config, player, o.seed, o.frames, o.out.resolve("pong.gif"), o.board) {
       (frame, picture) =>
         Picture.writePng(o.out.resolve(f"frame-${frame.index}%04d.png"), o.mode.width, o.mode.height, picture)
     }
@@ -30,6 +33,14 @@ object PongCommand extends CommandLine {
     println(s"wrote ${o.out.resolve("pong.gif")} and ${o.reportFile}")
     code
   }
+
+  /** Makes the hardware of a scene, whose numbers may need more bits, or its set-up more clocks, than there are. */
+  private def build(config: PongPipelineConfig, o: PongOptions, scene: Path): Unit =
+    try PongSession.compile(config, o.board)
+    catch {
+      case e: IllegalArgumentException =>
+        throw InputError(s"$scene: ${e.getMessage.stripPrefix("requirement failed: ")}")
+    }
 
   private def players(o: PongOptions): PongGame => PongButtons = o.input match {
     case Some(file) =>

@@ -1,6 +1,7 @@
 package frustum.command
 
 import frustum.InputError
+import frustum.engine.PongBoard
 import frustum.spec.VideoMode
 import scopt.OParser
 import java.nio.file.{Path, Paths}
@@ -12,6 +13,7 @@ final case class PongOptions(
     input: Option[Path] = None,
     scene: Option[Path] = None,
     mode: VideoMode = VideoMode.Vga640x480,
+    board: PongBoard = PongBoard.all.head,
     out: Path = Paths.get("out", "pong"),
     report: Option[Path] = None,
     seed: Long = 1
@@ -38,6 +40,9 @@ object PongOptions {
         .text("what is drawn (default: the room of pong)"),
       opt[VideoMode]("mode")(Arguments.oneOf(modes: _*)).valueName(modes.map(_._1).mkString("|"))
         .action((v, o) => o.copy(mode = v)).text(s"(default ${modes.head._1})"),
+      opt[PongBoard]("top")(Arguments.oneOf(PongBoard.all.map(b => b.top -> b): _*))
+        .valueName(PongBoard.all.map(_.top).mkString("|")).action((v, o) => o.copy(board = v))
+        .text(s"what is simulated (default ${PongBoard.all.head.top})"),
       opt[Path]("out")(Arguments.file).valueName("DIR").action((v, o) => o.copy(out = v))
         .text("for frame-0000.png and so on, and pong.gif (default out/pong)"),
       opt[Path]("report")(Arguments.file).valueName("FILE.json").action((v, o) => o.copy(report = Some(v)))

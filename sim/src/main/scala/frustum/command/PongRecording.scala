@@ -1,6 +1,6 @@
 package frustum.command
 
-import frustum.engine.{PongFrame, PongMeasures, PongRun}
+import frustum.engine.{PongBoard, PongFrame, PongMeasures, PongRun}
 import frustum.judge.{PongFigures, PongJudge}
 import frustum.model.game.{PongButtons, PongGame}
 import frustum.picture.{AnimatedGif, Picture}
@@ -19,16 +19,21 @@ object PongRecording {
     *
     * @param each takes a frame and its picture as 0xRRGGBB
     */
-  def apply(config: PongPipelineConfig, player: PongGame => PongButtons, seed: Long, frames: Int, gif: Path)(
-      each: (PongFrame, Array[Int]) => Unit
-  ): PongRecording = {
+  def apply(
+      config: PongPipelineConfig,
+      player: PongGame => PongButtons,
+      seed: Long,
+      frames: Int,
+      gif: Path,
+      board: PongBoard = PongBoard.all.head
+  )(each: (PongFrame, Array[Int]) => Unit): PongRecording = {
     val judge    = new PongJudge(config)
     val times    = delays
     val started  = System.nanoTime
     val progress = Progress("pong", frames)
     val measures =
       try AnimatedGif.write(gif, config.mode.width, config.mode.height) { film =>
-          new PongRun(config, player, seed).play(frames) { frame =>
+          new PongRun(config, player, seed, board).play(frames) { frame =>
             val picture = Picture.ofFormat(frame.atPins, config.format)
             each(frame, picture)
             if (frame.index % 2 == 0) film.add(picture, times.next())

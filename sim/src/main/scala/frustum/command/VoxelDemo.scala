@@ -12,8 +12,8 @@ object VoxelDemo {
     val o = VoxelOptions(
       engine = engine,
       eye = Some(new Vector3d(10, 40, 19)),
-      yaw = -40,
-      pitch = -15,
+      yaw = Some(-40),
+      pitch = Some(-15),
       distance = 50,
       seed = 2
     )

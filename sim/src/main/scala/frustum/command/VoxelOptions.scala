@@ -12,8 +12,8 @@ final case class VoxelOptions(
     worldSize: (Int, Int, Int) = (64, 64, 32),
     blocks: Option[Path] = None,
     eye: Option[Vector3d] = None,
-    yaw: Double = 30,
-    pitch: Double = -10,
+    yaw: Option[Double] = None,
+    pitch: Option[Double] = None,
     look: Option[Vector3d] = None,
     size: (Int, Int) = (320, 240),
     focal: Option[Double] = None,
@@ -95,10 +95,10 @@ object VoxelOptions {
         Arguments.vector
       )((o, v) => o.copy(eye = Some(v))),
       option[Double]("yaw", "DEG", "0 looks along +x, 90 along +y (default 30)", Arguments.finite)((o, v) =>
-        o.copy(yaw = v)
+        o.copy(yaw = Some(v))
       ),
       option[Double]("pitch", "DEG", "up is positive (default -10)", Arguments.finite)((o, v) =>
-        o.copy(pitch = v)
+        o.copy(pitch = Some(v))
       ),
       option[Vector3d]("look", "dx,dy,dz", "direction, instead of --yaw and --pitch", Arguments.vector)(
         (o, v) =>

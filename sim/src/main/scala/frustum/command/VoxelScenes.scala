@@ -43,11 +43,15 @@ object VoxelScenes {
           throw InputError(s"--size: ${e.getMessage.stripPrefix("requirement failed: ")}")
       }
     if (o.engine == "small") SmallVoxelPipeline.fault(config).foreach(fault => throw InputError(s"--engine small: $fault"))
+    def together(one: String, others: (String, Option[_])*): Unit =
+      others.collectFirst { case (other, Some(_)) => throw InputError(s"$one: tells what $other does; give one of them") }
+    if (o.look.isDefined) together("--look", "--yaw" -> o.yaw, "--pitch" -> o.pitch)
+    if (o.path.isDefined) together("--path", "--eye" -> o.eye, "--look" -> o.look, "--yaw" -> o.yaw, "--pitch" -> o.pitch)
     val focal = o.focal.getOrElse(225.0 * config.height / 240)
     val views = o.path match {
       case Some(file) => poses(file.toString, InputFile.text(file, "give a text file in UTF-8"), focal, config)
       case None       =>
-        val (yaw, pitch) = o.look.fold((o.yaw, o.pitch)) { look =>
+        val (yaw, pitch) = o.look.fold((o.yaw.getOrElse(30.0), o.pitch.getOrElse(-10.0))) { look =>
           if (look.length == 0) throw InputError("--look 0,0,0: has no direction; give another one")
           VoxelView.angles(look)
         }

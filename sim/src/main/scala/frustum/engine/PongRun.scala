@@ -23,10 +23,15 @@ final case class PongMeasures(
   *
   * @param player presses the buttons of the tick that follows a state; called once for each tick, in order
   */
-final class PongRun(config: PongPipelineConfig, player: PongGame => PongButtons, seed: Long) {
+final class PongRun(
+    config: PongPipelineConfig,
+    player: PongGame => PongButtons,
+    seed: Long,
+    board: PongBoard = PongBoard.Icebreaker
+) {
 
   def play(frames: Int)(each: PongFrame => Unit): PongMeasures =
-    EngineSim.run(PongSession.compile(config), None, seed) { dut =>
+    EngineSim.run(PongSession.compile(config, board), None, seed) { dut =>
       var states  = Vector(PongGame.start)
       def next()  = { val b = player(states.last); states :+= states.last.tick(b); b }
       val session = new PongSession(dut, next())

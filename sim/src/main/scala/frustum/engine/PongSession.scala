@@ -34,8 +34,10 @@ final class PongSession(dut: PongTestbed, first: PongButtons = PongButtons()) {
 }
 
 object PongSession {
-  def compile(config: PongPipelineConfig): SimCompiled[PongTestbed] =
-    EngineSim.compile(s"Pong_${config.mode.name}_${config.format.name}_${config.scene.hashCode.toHexString}")(
-      PongTestbed(config)
+  def compile(config: PongPipelineConfig, board: PongBoard): SimCompiled[PongTestbed] = {
+    import config.{format, mode, scene}
+    EngineSim.compile(s"${board.top}_${mode.hashCode.toHexString}_${format.name}_${scene.hashCode.toHexString}")(
+      PongTestbed(config, board)
     )
+  }
 }

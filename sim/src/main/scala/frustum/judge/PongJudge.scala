@@ -29,9 +29,10 @@ final class PongJudge(config: PongPipelineConfig) {
 
   private def expect(game: PongGame): Future[Expected] = last.filter(_._1 == game).map(_._2).getOrElse {
     val made = Future {
-      val pixels = rays.get()(game.motion)
+      val motion = config.motion(game.motion)
+      val pixels = rays.get()(motion)
       val rgb    = pixels.map(_.rgb)
-      Expected(model.atPins(i => rgb(i), game), judge(game.motion, pixels.map(_.objectId), rgb))
+      Expected(model.atPins(i => rgb(i), game), judge(motion, pixels.map(_.objectId), rgb))
     }
     last = Some((game, made))
     made

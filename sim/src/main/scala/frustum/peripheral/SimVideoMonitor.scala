@@ -25,6 +25,7 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
     val pins   = in(MonitorPins(colorBits))
     val frames = out(UInt(32 bits)).simPublic() // complete ones
     val errors = out(UInt(32 bits)).simPublic()
+    val visible = out Bool () // by the pulses: for a plug that does not tell
   }
   private def edges(pulse: Bool) = {
     val before = RegNext(pulse) init True // a pulse that lasts since the reset tells nothing
@@ -54,6 +55,7 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
   sinceV := row
   val visible =
     locked && column >= left && column < left + mode.width && row >= top && row < top + mode.height
+  io.visible := visible
 
   /** Where in its line the vertical pulse starts: the first one decides. */
   val phase   = RegNextWhen(column, vStart && !locked).init(0).simPublic()

@@ -21,6 +21,12 @@ class PongArgumentsTest extends AnyFunSuite {
       "low":  {"eye": [0, 0, -320], "corner": [-700, -700, -700], "right": [-2, -2, -2], "down": [-2, -2, -2]},
       "high": {"eye": [0, 0, -300], "corner": [700, 700, 700], "right": [2, 2, 2], "down": [2, 2, 2]}}}"""
   )
+  private val remote = file("remote.json", """{"camera": {"eye": [0, 0, -100000], "focal": 320}}""")
+  private val second = file(
+    "two.json",
+    """{"spheres": [{"low": [-300, -220, 20], "high": [300, 220, 620], "radius": 20, "color": "ff0000"},
+      {"low": [0, 0, -99], "high": [1, 0, -99], "radius": 20, "color": "00ff00"}]}"""
+  )
   private val broken = file("broken.json", "{\n  \"light\": [1, 2,\n")
 
   private val table = Seq(
@@ -37,6 +43,9 @@ class PongArgumentsTest extends AnyFunSuite {
     s"pong --scene '$empty'"              -> Seq("none.json", "0 spheres"),
     s"pong --scene '$still'"              -> Seq("still.json", "puck", "(-300, -220, 20)"),
     s"pong --scene '$moving'"             -> Seq("moving.json", "camera stands still", "(0, 0, -300)"),
+    s"pong --scene '$second'"             -> Seq("two.json", "sphere 1 moves", "centre"),
+    s"pong --scene '$remote'"             -> Seq("remote.json", "bits", "at most 64"),
+    "pong --top arty-voxel"               -> Seq("--top", "arty-pong"),
     "play"                                -> Seq("play pong"),
     "play chess"                          -> Seq("chess", "play pong"),
     "play pong --frames x"                -> Seq("--frames")

@@ -53,6 +53,8 @@ class VoxelCommandTest extends AnyFunSuite {
     "--eye 500,0,0"                           -> Seq("--eye", "x 500", "32 blocks"),
     "--eye 1e300,0,0"                         -> Seq("--eye", "x 1.0E300", "32 blocks"),
     "--look 0,0,0"                            -> Seq("--look"),
+    "--look 1,0,0 --yaw 50"                   -> Seq("--look", "--yaw", "one of them"),
+    s"--path '$poses' --pitch 5"              -> Seq("--path", "--pitch", "one of them"),
     "--focal 60"                              -> Seq("--focal", "too wide"),
     "--size 8x8"                              -> Seq("--size", "width 8"),
     "--distance 100"                          -> Seq("--distance", "60"),

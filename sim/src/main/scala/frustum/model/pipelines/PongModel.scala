@@ -28,7 +28,7 @@ class PongModel(config: PongPipelineConfig) {
   }
 
   def frame(game: PongGame): Array[Int] = {
-    val pixels = rays(game.motion)
+    val pixels = rays(config.motion(game.motion))
     atPins(i => pixels(i).rgb, game)
   }
 }
