@@ -40,7 +40,7 @@ case class SmallVoxelConsole(
   /** The receiver looks eight times a bit. */
   val looks = clockHz.toDouble / baud / 8
   require(
-    (looks / looks.round - 1).abs < 0.01,
+    (looks / looks.floor - 1).abs < 0.01,
     s"$baud baud at $clockHz Hz: $looks clocks from look to look are not near a whole number"
   )
   uart.io.uart.rxd := io.uart
@@ -49,7 +49,7 @@ case class SmallVoxelConsole(
   host.io.camera >> pipeline.io.camera
   pipeline.io.commit    := host.io.commit
   pipeline.io.highlight := True
-  pipeline.io.start     := !pipeline.io.edit.valid
+  pipeline.io.start     := !pipeline.io.edit.valid && !pipeline.io.pending
   io.refused            := host.io.refused
   io.display            := display.io.pins
 

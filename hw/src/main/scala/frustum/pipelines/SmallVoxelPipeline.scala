@@ -33,6 +33,7 @@ case class SmallVoxelPipeline(
     val commit    = in Bool ()
     val edit      = slave(Stream(WorldWrite(c)))
     val busy      = out Bool ()
+    val pending   = out Bool () // edits wait
     val pixels    = master(Stream(Bits(16 bits)))
     val pointedAt = out(PointedAt(c))
     val step      = out Bool ()
@@ -72,6 +73,7 @@ case class SmallVoxelPipeline(
   val edits = new Area {
     val queue = StreamFifo(WorldWrite(c), Edits)
     queue.io.push << io.edit
+    io.pending := queue.io.pop.valid
     val now = !io.busy || queue.io.occupancy > Patient
     memory.io.write << queue.io.pop.continueWhen(now).toFlow
   }

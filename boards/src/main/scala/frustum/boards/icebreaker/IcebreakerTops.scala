@@ -40,8 +40,8 @@ object IcebreakerTops {
     component = () => PongTop(pongConfig, pongMHz, Tech.Ice40)
   )
 
-  /** A frequency that 500 kbaud are near an eighth of a whole number of. */
-  val voxelMHz = BigDecimal("28.125")
+  /** Near to 7 looks of the receiver of 460,800 baud, which looks eight times a bit. */
+  val voxelMHz = BigDecimal("25.875")
 
   val voxel: BoardTop = BoardTop(
     name = "icebreaker-voxel",

@@ -8,7 +8,7 @@ import spinal.lib._
   *
   *   - `clk`: 12 MHz; in a simulation the core clock itself
   *   - `resetn`: the user button, low resets, not synchronised
-  *   - `uart`: what the host sends by USB, 500 kbaud, 8 bits, no parity, one stop bit
+  *   - `uart`: what the host sends by USB, 460,800 baud, 8 bits, no parity, one stop bit
   *   - `refused_n`: the red LED, low when a command of the host's has been refused
   *   - `display`: on PMOD 1B, as of `icebreaker-raster`
   */

@@ -17,7 +17,7 @@ case class VoxelTop(
     focal: Int,
     coreMHz: BigDecimal,
     tech: Tech,
-    baud: Int = 500000,
+    baud: Int = 460800,
     fast: Int = 1
 ) extends Component {
   val io = VoxelPins()
