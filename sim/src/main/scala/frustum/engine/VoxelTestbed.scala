@@ -25,6 +25,7 @@ case class VoxelTestbed(c: VoxelConfig, assets: VoxelAssets) extends Component {
   pipeline.io.camera    := io.camera
   pipeline.io.highlight := io.highlight
   pipeline.io.edit << io.edit
+  pipeline.io.look.address.assignDontCare()
   io.busy      := pipeline.io.busy
   io.pointedAt := pipeline.io.pointedAt
 
