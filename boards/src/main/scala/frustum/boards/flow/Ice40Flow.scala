@@ -35,8 +35,8 @@ object Ice40Flow {
 
   /** `-no-rw-check`: the library states don't-care where a memory is read and written at one address.
     * No `-dsp`: multipliers are instantiated, and that pass disconnects their clocks.
-    * The mapping reckons with 1.2 ns of wire before each cell, as nextpnr finds on the UP5K, in place of a quarter of a
-    * nanosecond: paths of many cells and short carries come out shorter, at the price of some long carries.
+    * The mapping reckons with 1.2 ns of wire before each cell, in place of a quarter of a nanosecond: nearer to the 1.8
+    * that nextpnr finds on the UP5K, so that paths come out with fewer cells. With 1.7 it takes more cells in all.
     */
   val Synthesis = "scratchpad -set synth_ice40.abc9.W 1200; synth_ice40 -abc9 -no-rw-check"
 }
