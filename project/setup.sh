@@ -69,19 +69,18 @@ python_venv() {
 prepare() {
   case " $1 " in
     *" --help "*) ;;
-    " chart "* | " fit "* | " mutate "*)
-      simulator
-      want 'ldconfig -p | grep -q libOSMesa' libosmesa6-dev # a referee for fit
-      python3 -c 'import ensurepip, venv' 2>/dev/null || install python3 python3-venv
-      ;;
     " bitstream "*)
       python_venv
       want 'command -v icetime >/dev/null && [ -e /usr/share/fpga-icestorm/chipdb/chipdb-5k.txt ]' \
         fpga-icestorm fpga-icestorm-chipdb
       ;;
     *" --engine model "* | *" --engine reference "*) ;;
-    " fit "*" --no-synthesis "*) simulator ;;
     " fit "*)
+      simulator
+      [[ " $1 " == *" --no-synthesis "* ]] || python_venv
+      want 'ldconfig -p | grep -q libOSMesa' libosmesa6-dev # a referee
+      ;;
+    " mutate "*)
       simulator
       python_venv
       ;;

@@ -19,7 +19,7 @@ class SetupTest extends AnyFunSuite {
   test("simulation needs Verilator, make and g++") {
     for (
       line <- Seq("demo", "render --scene teapot", "bench raster", "pong", "voxel --seed 2", "play voxel") ++
-        Seq("fit --scene cube", "fit --scene cube --no-synthesis", "test", "sim/testOnly frustum.X")
+        Seq("fit --scene cube", "fit --scene cube --no-synthesis", "mutate blend", "test", "sim/testOnly frustum.X")
     )
       assert(wants(line).linesIterator.next() == "verilator make g++", line)
     for (line <- Seq("render --scene cube --engine model", "voxel --engine model", "chart depth --no-synthesis"))

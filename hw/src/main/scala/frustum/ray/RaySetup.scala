@@ -81,8 +81,10 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
   val writing      = False
   val writeAddress = CombInit(to)
   val writeData    = CombInit(alu.sum.resize(digitBits).asBits)
+  // Registers mean nothing before their first clock under reset: the constants must outlast it.
+  private val writes = writing && !ClockDomain.current.isResetActive
   for ((column, d) <- columns.zipWithIndex)
-    column.write(writeAddress, writeData, if (digits == 1) writing else writing && place === d)
+    column.write(writeAddress, writeData, if (digits == 1) writes else writes && place === d)
 
   val loading = RegNext(False) init False
   io.load.clear := RegNext(io.line) init False

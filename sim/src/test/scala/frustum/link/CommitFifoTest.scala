@@ -28,7 +28,7 @@ class CommitFifoTest extends AnyFunSuite {
         val fifo                     = new model.link.CommitFifo
         var popped, lost, rolledBack = 0
         var offered: Option[Int]     = None // a word that the reader did not take
-        var heldBefore               = 0
+        var heldBefore, heldEarlier  = 0
         var calm, streamed           = 0    // clocks in which everything went through at once
         Seq(dut.io.push.valid, dut.io.commit, dut.io.rollback, dut.io.pop.ready).foreach(_ #= false)
         dut.clockDomain.forkStimulus(10)
@@ -60,11 +60,12 @@ class CommitFifoTest extends AnyFunSuite {
             !full || fifo.held >= depth - 3 || heldBefore >= depth - 3,
             s"$where: full with ${fifo.held} words"
           )
-          val free = depth - 1 - heldBefore
+          val free = depth - 1 - heldEarlier
           assert(
             dut.io.room.toBoolean == (free >= margin) || (free - margin).abs <= 2,
             s"$where: room with $free words free"
           )
+          heldEarlier = heldBefore
           heldBefore = fifo.held
           if (mood == moods.last && clock % 500 > depth + 20) {
             calm += 1; if (valid && ready && push && !full) streamed += 1
