@@ -1,5 +1,6 @@
 package frustum.boards
 
+import frustum.blackbox.Tech
 import spinal.core._
 
 /** A clock of a top: `net` is its name in the netlist, `mhz` what it has to reach. */
@@ -17,7 +18,7 @@ final case class BoardTop(
     constraints: String,
     core: BoardClock,
     otherClocks: Seq[BoardClock],
-    component: () => Component
+    component: Tech => Component
 ) {
   def targetMHz: BigDecimal    = core.mhz
   def clocks: Seq[BoardClock]  = core +: otherClocks
@@ -35,5 +36,14 @@ final case class BoardTop(
 
   /** Elaborates into `<directory>/<name>.v`; gives the name of the Verilog module. */
   def writeVerilog(directory: String): String =
-    spinalConfig(directory).generateVerilog(component()).toplevel.definitionName
+    spinalConfig(directory).generateVerilog(component(part.tech)).toplevel.definitionName
+
+  /** The same design on an ECP5, for its figures: no pins, and the core's clock comes in at `clk`. */
+  def onEcp5: BoardTop = copy(
+    name = s"$name-ecp5",
+    part = Part.Ecp5U85,
+    constraints = "",
+    core = BoardClock("clk", core.mhz, "a pin"),
+    otherClocks = otherClocks.filter(_.net != "clk")
+  )
 }

@@ -3,11 +3,11 @@ package frustum.command
 import frustum.{BuildInfo, InputError}
 import frustum.boards.{BoardTop, Part}
 import frustum.OutputFile
-import frustum.boards.flow.{Artix7Flow, Artix7Tools, BitstreamReport, Ice40Flow, Ice40Tools, MissingTool}
+import frustum.boards.flow._
 import java.nio.file.{Files, Path, Paths}
 
 /** `bitstream TOP`: synthesis, place and route; writes `out/bitstream/TOP.bin` (Arty: `TOP.fasm`) and the figures to
-  * `TOP.json` there.
+  * `TOP.json` there. With `--ecp5` the figures on another maker's part, `TOP-ecp5.json`.
   */
 object BitstreamCommand extends CommandLine {
   val name    = "bitstream"
@@ -18,11 +18,11 @@ object BitstreamCommand extends CommandLine {
 
   def run(args: Seq[String]): Int =
     TopArguments.parse(parser, args).fold(0) { arguments =>
-      val top       = arguments.find
+      val top       = if (arguments.ecp5) arguments.find.onEcp5 else arguments.find
       val directory = Paths.get("out", "bitstream")
       Files.createDirectories(directory)
       // What an earlier run left would pass for this run's if this one failed.
-      Seq("json", top.part.bitstream).foreach(kind =>
+      Seq("json", "bin", "fasm").foreach(kind =>
         Files.deleteIfExists(directory.resolve(s"${top.name}.$kind"))
       )
       val report = build(top, arguments.seeds, directory)
@@ -41,6 +41,7 @@ object BitstreamCommand extends CommandLine {
       val flow = top.part match {
         case Part.Ice40Up5k => new Ice40Flow(Ice40Tools.find(say))
         case _: Part.Artix7 => new Artix7Flow(Artix7Tools.find())
+        case Part.Ecp5U85   => Ecp5Flow.find(say)
       }
       val report = flow.run(top, 1 to seeds, directory, say)
       if (report.fits && top.part == Part.Ice40Up5k && report.icetimeMHz.isEmpty)

@@ -39,6 +39,6 @@ object BlinkTop {
     constraints = constraints,
     core = BoardClock(IcebreakerClock.Net, coreMHz, "PLL"),
     otherClocks = Seq(BoardClock("sck", 48, "host")),
-    component = () => BlinkTop(coreMHz, Tech.Ice40)
+    component = BlinkTop(coreMHz, _)
   )
 }

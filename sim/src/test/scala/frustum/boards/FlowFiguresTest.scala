@@ -52,6 +52,18 @@ class FlowFiguresTest extends AnyFunSuite {
     assert(Yosys.deadMultipliers(mac(""""CLK": [2], "CE": ["0"]""")) == Seq("mac"))
   }
 
+  test("a clock's net by its own name, whatever the tools hang on it") {
+    val names = Seq("clk", "$iopadmap$clk", "$glbnet$clk$TRELLIS_IO_IN", "clk$SB_IO_IN_$glb_clk")
+    assert(names.map(BitstreamReport.plainNet).distinct == Seq("clk"))
+    assert(BitstreamReport.plainNet("clocking.pll.io_clockOut") == "clocking_pll_io_clockOut")
+  }
+
+  test("a design for another maker's part keeps its clocks, but for the one that its own clocking made") {
+    val ecp5 = frustum.boards.arty.ArtyTops.pong.onEcp5
+    assert(ecp5.clocks == Seq(BoardClock("clk", 25, "a pin")) && ecp5.part == Part.Ecp5U85)
+    assert(top.onEcp5.otherClocks == top.otherClocks)
+  }
+
   test("the worst seed decides, the best one is kept") {
     val three = report(Seq(41.5, 40, 44), placement(1, 42), placement(2, 39), placement(3, 41))
     assert(three.meetsTarget && three.bestSeed == 1)

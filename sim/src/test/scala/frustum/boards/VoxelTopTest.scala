@@ -45,7 +45,7 @@ class VoxelTopTest extends AnyFunSuite {
 
   test("what a part's block RAMs cannot hold is refused, with figures") {
     val refusal = intercept[IllegalArgumentException](
-      ArtyTops.voxelTop("arty-voxel-35t", Part.Artix7A35, ArtyTops.voxelConfig).component()
+      ArtyTops.voxelTop("arty-voxel-35t", Part.Artix7A35, ArtyTops.voxelConfig).component(Tech.Artix7)
     )
     assert(refusal.getMessage.contains("XC7A35T") && refusal.getMessage.contains("kbit"), refusal.getMessage)
   }

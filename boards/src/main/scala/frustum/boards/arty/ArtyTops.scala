@@ -1,6 +1,5 @@
 package frustum.boards.arty
 
-import frustum.blackbox.Tech
 import frustum.boards.{BoardClock, BoardTop, Part}
 import frustum.pipelines.{PongPipelineConfig, VoxelConsoleConfig}
 import frustum.spec.{Blocks, LeapField, VideoMode, VoxelConfig}
@@ -13,7 +12,7 @@ object ArtyTops {
     constraints = "boards/arty/pong.xdc",
     core = BoardClock("clocking_divider_io_clockOut", 25, "a quarter of the 100 MHz oscillator"),
     otherClocks = Seq(BoardClock("clk", 100, "oscillator")),
-    component = () => PongTop(PongPipelineConfig(), Tech.Artix7)
+    component = PongTop(PongPipelineConfig(), _)
   )
 
   /** The whole world, in words of nine bits, which is what a block RAM has. */
@@ -37,13 +36,13 @@ object ArtyTops {
     constraints = "boards/arty/voxel.xdc",
     core = BoardClock("clk", 100, "oscillator"),
     otherClocks = Seq(),
-    component = () => {
+    component = tech => {
       val (need, have) = (config.memoryBits / 1024, part.blockRams * 36)
       require(
         need <= have,
         s"$name: world and pictures need $need kbit, the ${part.name} has $have in its block RAMs; take a smaller world, picture or word"
       )
-      VoxelTop(config, Tech.Artix7)
+      VoxelTop(config, tech)
     }
   )
 }

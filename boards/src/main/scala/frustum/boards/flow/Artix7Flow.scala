@@ -21,5 +21,6 @@ final class Artix7Flow(tools: Artix7Tools) extends Flow {
   protected def placement(top: BoardTop, run: String): Seq[String] =
     Seq("--device", top.part.packageName, "-o", s"xdc=${top.name}.xdc", "-o", s"fasm=$run.fasm")
 
-  protected def pack(work: Path, top: BoardTop, seed: Int): Path = work.resolve(s"${top.name}.$seed.fasm")
+  override protected def pack(work: Path, top: BoardTop, seed: Int): Option[Path] =
+    Some(work.resolve(s"${top.name}.$seed.fasm"))
 }

@@ -65,9 +65,9 @@ final case class BitstreamReport(
 
 object BitstreamReport {
 
-  /** A net's name without what nextpnr appends on the way to a global buffer, or puts before a pad's; yosys joins the
-    * names of a hierarchy by an underscore or, since 0.70, by a dot.
+  /** A net's name without what nextpnr puts before and after it between pad and global buffer, as in
+    * `$glbnet$clk$TRELLIS_IO_IN`; yosys joins the names of a hierarchy by an underscore or, since 0.70, by a dot.
     */
   def plainNet(net: String): String =
-    (if (net.startsWith("$")) net.split('$').last else net.split('$').head).replace('.', '_')
+    net.split('$')(if (net.startsWith("$")) 2 else 0).replace('.', '_')
 }

@@ -23,8 +23,8 @@ abstract class Flow {
   /** A second opinion on a placement's timing, in MHz. */
   protected def secondOpinion(work: Path, top: BoardTop, seed: Int): Option[Double] = None
 
-  /** Makes the file for the board of a placement's and gives its place. */
-  protected def pack(work: Path, top: BoardTop, seed: Int): Path
+  /** Makes the file for the board of a placement and gives its place; None of a flow that is after figures alone. */
+  protected def pack(work: Path, top: BoardTop, seed: Int): Option[Path] = None
 
   /** Builds in `directory/<name>.build` and leaves the file for the board of the best seed beside it when the design
     * fits.
@@ -49,11 +49,10 @@ abstract class Flow {
     }
     val report = BitstreamReport(top, engine, results.map(_._1), results.flatMap(_._2))
     if (report.fits)
-      Files.move(
-        pack(work, top, report.bestSeed),
-        directory.resolve(s"${top.name}.${top.part.bitstream}"),
-        StandardCopyOption.REPLACE_EXISTING
-      )
+      for (file <- pack(work, top, report.bestSeed)) {
+        val ending = file.getFileName.toString.split('.').last
+        Files.move(file, directory.resolve(s"${top.name}.$ending"), StandardCopyOption.REPLACE_EXISTING)
+      }
     report
   }
 }

@@ -23,11 +23,11 @@ final class Ice40Flow(tools: Ice40Tools) extends Flow {
   override protected def secondOpinion(work: Path, top: BoardTop, seed: Int): Option[Double] =
     Icetime.analyse(tools.icetime, work, top, seed)
 
-  protected def pack(work: Path, top: BoardTop, seed: Int): Path = {
+  override protected def pack(work: Path, top: BoardTop, seed: Int): Option[Path] = {
     val (name, log) = (top.name, s"${top.name}.icepack.log")
     if (tools.icepack.run(work, log, Seq(s"$name.$seed.asc", s"$name.bin")) != 0)
       throw FlowFault(s"icepack failed: ${Tool.faults(work.resolve(log))}")
-    work.resolve(s"$name.bin")
+    Some(work.resolve(s"$name.bin"))
   }
 }
 

@@ -1,6 +1,5 @@
 package frustum.boards.icebreaker
 
-import frustum.blackbox.Tech
 import frustum.boards.{BoardClock, BoardTop, Part}
 import frustum.pipelines.PongPipelineConfig
 import frustum.spec.{Panel, RasterConfig, VoxelConfig}
@@ -23,7 +22,7 @@ object IcebreakerTops {
     constraints = "boards/icebreaker/raster.pcf",
     core = BoardClock(IcebreakerClock.Net, coreMHz, "PLL on the 12 MHz oscillator"),
     otherClocks = Seq(BoardClock("host_sck", hostMHz, "SCK of the host")),
-    component = () => RasterTop(config, Panel.Ili9341, coreMHz, Tech.Ice40)
+    component = RasterTop(config, Panel.Ili9341, coreMHz, _)
   )
 
   /** 59.8 frames a second of 640 x 480: the next to 25.175 MHz that the PLL makes. */
@@ -37,7 +36,7 @@ object IcebreakerTops {
     constraints = "boards/icebreaker/pong.pcf",
     core = BoardClock(IcebreakerClock.Net, pongMHz, "PLL on the 12 MHz oscillator"),
     otherClocks = Nil,
-    component = () => PongTop(pongConfig, pongMHz, Tech.Ice40)
+    component = PongTop(pongConfig, pongMHz, _)
   )
 
   /** Near to 7 looks of the receiver of 460,800 baud, which looks eight times a bit. */
@@ -49,6 +48,6 @@ object IcebreakerTops {
     constraints = "boards/icebreaker/voxel.pcf",
     core = BoardClock(IcebreakerClock.Net, voxelMHz, "PLL on the 12 MHz oscillator"),
     otherClocks = Nil,
-    component = () => VoxelTop(VoxelConfig(), Panel.St7789, focal = 225, voxelMHz, Tech.Ice40)
+    component = VoxelTop(VoxelConfig(), Panel.St7789, focal = 225, voxelMHz, _)
   )
 }
