@@ -24,8 +24,8 @@ class FrameHeader(config: RasterConfig, word: Bits) extends Area {
 
   /** Takes a range of tiles; x comes first and is moved on by y. */
   def takeRange(): Unit = {
-    region(0) := region(2)
-    region(1) := region(3)
+    region(0) := region(2).resize(config.tileXBits).resized
+    region(1) := region(3).resize(config.tileXBits).resized
     region(2) := first
     region(3) := last
     vertical  := True

@@ -105,13 +105,13 @@ case class SetupEngine(slots: Int, tech: Tech, planes: Seq[Int] = SetupWords.All
 
   // Clocks 2 and 3 hand the multipliers a, and b's signed lower half, then its upper half, rounded up to make good for
   // the sign.
-  val bLower = RegNextWhen(data(15 downto 0).asBits, phase)
   val bUpper = RegNextWhen((data(31 downto 16).asUInt + data(15).asUInt).asBits, phase)
+  val bHalf  = RegNext(phase ? data(15 downto 0).asBits | bUpper)
   val low    = Multiplier16(tech, signedA = false, signedB = true, hold = true)
   val high   = Multiplier16(tech, signedA = true, signedB = true, hold = true)
   low.io.a := data(15 downto 0).asBits
   high.io.a := data(31 downto 16).asBits
-  Seq(low, high).foreach { m => m.io.enable := True; m.io.b := phase ? bUpper | bLower; m.io.holdA := phase }
+  Seq(low, high).foreach { m => m.io.enable := True; m.io.b := bHalf; m.io.holdA := phase }
 
   // The instruction's control follows: stage n is valid in clocks 2 n and 2 n + 1.
   val valids   = History(executing, 4, phase, False).tail

@@ -88,7 +88,7 @@ case class TileSequencer(config: RasterConfig) extends Component {
     }
     is(State.End) {
       when(io.job.ready) {
-        tile.tileX := tile.tileX + 1
+        tile.tileX := (tile.tileX + 1).resize(config.tileXBits).resized
         state := State.Tile
         when(tile.tileX === frame.x1) {
           tile.tileX := frame.x0

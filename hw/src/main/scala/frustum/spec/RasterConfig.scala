@@ -35,6 +35,9 @@ final case class RasterConfig(
   require(maxTriangles >= 1 && maxTriangles <= 1024, s"$maxTriangles triangles: 1..1024")
   private def bitsFor(values: Int): Int = 32 - Integer.numberOfLeadingZeros(values - 1)
 
+  /** Of a tile's column. */
+  def tileXBits: Int = bitsFor(tilesX).max(1)
+
   /** Of a vertex' and a triangle's index, and of a number of triangles. */
   def vertexBits: Int   = bitsFor(maxVertices)
   def triangleBits: Int = bitsFor(maxTriangles).max(1)
