@@ -133,7 +133,7 @@ object Driver {
         .headOption
         .foreach(fault => throw new IllegalStateException(s"driver: a vertex's $fault"))
       reaches(turned, p, viewport.ranges).foreach(fault =>
-        throw InputError(s"a vertex: $fault, beyond what this hardware was made for; build it for the scene (./sbt fit)")
+        throw InputError(s"a triangle: $fault, beyond what this hardware was made for; build it for the scene (./sbt fit)")
       )
       (turned, PackedCorners(state, p(0), p(1), p(2), pixels))
     }
@@ -143,7 +143,7 @@ object Driver {
   private def reaches(t: ClipTriangle, corners: Seq[PackedVertex], ranges: VertexRanges): Option[String] = {
     val w = t.v.map(_.clip.w)
     corners.flatMap(_.fault(ranges)).headOption.orElse(Option.when(
-      t.state.texture.isDefined && w.max > w.min * (1 << ranges.ratio)
+      t.state.texture.isDefined && ranges.ratio < VertexRanges().ratio && w.max > w.min * (1 << ranges.ratio)
     )(s"depths of ${w.min} to ${w.max} in a triangle"))
   }
 
