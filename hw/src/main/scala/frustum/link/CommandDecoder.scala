@@ -17,6 +17,7 @@ import spinal.lib._
   *     job's bank is free again. `begin` waits for a free bank, `texels` until every job is done.
   *   - a refused command changes nothing, but for texels that run beyond the memory, of which those within it are
   *     written, and for `begin`, which ends the frame begun before it in any case
+  *   - hardware made for fewer states, clear colours, vertices or triangles, or for nearer ranges refuses the others alike
   *   - a refused vertex leaves its slot with a tag of another frame; a position out of range is not stored
   *   - a triangle costs about 62 clocks, a vertex 31
   */

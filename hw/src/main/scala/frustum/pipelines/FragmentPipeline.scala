@@ -30,7 +30,7 @@ case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component 
     val pixels = master(Stream(ResolvedPixel(config)))
   }
 
-  private val isLate = LateDivide.suits(config.ranges)
+  private val isLate = LateDivide.suits(config)
   val lateDivide = isLate generate LateDivide(config, tech)
   val divide = !isLate generate PerspectiveDivide(tech)
   private def divideIo = if (isLate) lateDivide.io else divide.io

@@ -24,7 +24,8 @@ object FitReport {
        |  fixed = FixedState(mask = 0x${c.fixed.mask.toHexString}, value = 0x${c.fixed.value.toHexString}), // ${c.fixed.constant.mkString(
         ", "
       )}
-       |  formats = PlaneFormats(coordinate = ${c.formats.coordinate}, depth = ${c.formats.depth}, color = ${c.formats.color}, inverse = ${c.formats.inverse}),
+       |  formats = PlaneFormats(coordinate = ${c.formats.coordinate}, depth = ${c.formats.depth},
+       |    color = ${c.formats.color}, inverse = ${c.formats.inverse}),
        |  ranges = VertexRanges(position = ${c.ranges.position}, repeats = ${c.ranges.repeats}, ratio = ${c.ranges.ratio}),
        |  clearColor = ${c.clearColor.fold("None")(v => f"Some(0x$v%04x)")}
        |) // with DrawOptions(cullBack = ${f.options.cullBack}, depthTest = ${f.options.depthTest})""".stripMargin

@@ -152,8 +152,12 @@ private final case class Knob(
     set: (PlaneFormats, Int) => PlaneFormats
 )
 private object Knob {
-  val coordinate: Knob =
-    Knob("coordinate", f => PlaneFormats.MostCoordinate.min(PlaneFormats.MostInverse - f.inverse), _.coordinate, (f, n) => f.copy(coordinate = n))
+  val coordinate: Knob = Knob(
+    "coordinate",
+    f => PlaneFormats.MostCoordinate.min(PlaneFormats.MostInverse - f.inverse),
+    _.coordinate,
+    (f, n) => f.copy(coordinate = n)
+  )
   val inverse: Knob =
     Knob("inverse", PlaneFormats.MostInverse - _.coordinate, _.inverse, (f, n) => f.copy(inverse = n))
   val depth: Knob = Knob("depth", _ => PlaneFormats.MostDepth, _.depth, (f, n) => f.copy(depth = n))

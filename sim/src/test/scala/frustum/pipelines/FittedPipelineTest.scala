@@ -58,13 +58,20 @@ class FittedPipelineTest extends AnyFunSuite {
       assert(model == images("model", scene, small, depthTest), "the full pipeline draws another picture")
   }
 
-  for ((name, formats) <- Seq(("cube", PlaneFormats(4, inverse = 5)), ("cube", PlaneFormats()), ("terrain", PlaneFormats(2)), ("floor", PlaneFormats())))
+  for (
+    (name, formats) <- Seq(
+      "cube"    -> PlaneFormats(4, inverse = 5),
+      "cube"    -> PlaneFormats(),
+      "terrain" -> PlaneFormats(2),
+      "floor"   -> PlaneFormats()
+    )
+  )
     test(s"all that inspection of $name finds, $formats: hardware equals model") {
       val scene    = Scenes.byName(name)
       val features = FitFeatures(scene, small, options(scene))
       val config   = features.config.copy(formats = formats)
       val depth    = features.options.depthTest
-      assert(name != "cube" || LateDivide.suits(config.ranges) && config.fixed.whole && config.maxVertices == 32, config)
+      assert(name != "cube" || LateDivide.suits(config) && config.fixed.whole && config.maxVertices == 32, config)
       assert(config.clearColor.nonEmpty)
       val model = images("model", scene, config, depth)
       assert(images("pipeline", scene, config, depth) == model, s"seed $seed")

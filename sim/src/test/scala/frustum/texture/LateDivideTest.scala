@@ -3,7 +3,7 @@ package frustum.texture
 import frustum.blackbox.Tech
 import frustum.harness.{Equality, FrustumSim}
 import frustum.model
-import frustum.spec.{PlaneFormats, RasterConfig, VertexRanges}
+import frustum.spec._
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 
@@ -49,9 +49,20 @@ class LateDivideTest extends AnyFunSuite {
     }
   }
 
-  test("it is for triangles whose depths are near each other alone") {
-    assert(LateDivide.suits(VertexRanges(ratio = 3)) && !LateDivide.suits(VertexRanges(ratio = 4)))
-    assert(model.texture.Divide.of(RasterConfig()) eq model.texture.PerspectiveDivide)
-    assert(model.texture.Divide.of(config(1, 1, 4)).isInstanceOf[model.texture.LateDivide])
+  test("it is for triangles whose depths are near each other, where unwanted planes leave it its memories") {
+    val texture            = Some(TextureRef(0, 5, 5, TexelFormat.Rgb565))
+    val replace            = RenderState(texture, combine = Combine.Replace)
+    val flat               = replace.copy(depth = DepthFunction.Always)
+    def made(ratio: Int, states: RenderState*) =
+      RasterConfig(ranges = VertexRanges(ratio = ratio), fixed = FixedState.of(states: _*))
+    for (c <- Seq(made(3, flat), made(1, replace), made(3, flat, flat.copy(blend = true)))) {
+      assert(LateDivide.suits(c), c.fixed.planes)
+      assert(model.texture.Divide.of(c).isInstanceOf[model.texture.LateDivide])
+    }
+    val modulated = replace.copy(combine = Combine.Modulate)
+    for (c <- Seq(RasterConfig(), made(4, flat), made(1, modulated), made(1, replace, modulated), config(1, 1, 4))) {
+      assert(!LateDivide.suits(c), c.fixed.planes)
+      assert(model.texture.Divide.of(c) eq model.texture.PerspectiveDivide)
+    }
   }
 }

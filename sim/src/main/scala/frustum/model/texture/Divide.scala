@@ -24,5 +24,5 @@ object Divide {
 
   /** The one that hardware of this configuration has. */
   def of(config: RasterConfig): Divide =
-    if (frustum.texture.LateDivide.suits(config.ranges)) new LateDivide(config) else PerspectiveDivide
+    if (frustum.texture.LateDivide.suits(config)) new LateDivide(config) else PerspectiveDivide
 }
