@@ -2,6 +2,7 @@ package frustum.fragment
 
 import frustum.raster.InterpolatedFragment
 import frustum.spec.RasterConfig
+import frustum.spec.SetupWords.{PlaneA, PlaneB, PlaneG, PlaneR, PlaneZ}
 import spinal.core._
 import spinal.lib._
 
@@ -30,13 +31,24 @@ case class AttributeMemory(config: RasterConfig) extends Component {
   val fetched = pointer(io.fetch)
   val depthFetched = pointer(io.fetchDepth)
 
-  val attributes = Mem(FragmentAttributes(config), AttributeMemory.Words)
-  attributes.write(written, FragmentAttributes(config, io.push.payload), io.push.valid)
-  io.attributes := attributes.readSync(fetched, io.fetch, readUnderWrite = dontCare)
+  // Colours that make no difference are not kept.
+  private def kept(of: FragmentAttributes): Seq[Data] = Seq(of.x, of.y, of.tileEnd) ++
+    Seq(PlaneR -> of.r, PlaneG -> of.g, PlaneB -> of.b, PlaneA -> of.a).collect { case (p, c) if wanted(p) => c }
+  private def wanted(plane: Int) = config.fixed.planes.contains(plane)
 
-  val depths = Mem(UInt(16 bits), AttributeMemory.Words)
-  depths.write(written, FragmentAttributes.depth(io.push.z), io.push.valid)
-  io.z := depths.readSync(depthFetched, io.fetchDepth, readUnderWrite = dontCare)
+  val pushed = FragmentAttributes(config, io.push.payload)
+  val attributes = Mem(Bits(kept(pushed).map(widthOf(_)).sum bits), AttributeMemory.Words)
+  attributes.write(written, Cat(kept(pushed)), io.push.valid)
+  private val read = attributes.readSync(fetched, io.fetch, readUnderWrite = dontCare)
+  io.attributes.assignDontCare()
+  for ((to, at) <- kept(io.attributes).zip(kept(pushed).scanLeft(0)(_ + widthOf(_))))
+    to.assignFromBits(read(at, widthOf(to) bits))
+
+  if (wanted(PlaneZ)) {
+    val depths = Mem(UInt(16 bits), AttributeMemory.Words)
+    depths.write(written, FragmentAttributes.depth(io.push.z), io.push.valid)
+    io.z := depths.readSync(depthFetched, io.fetchDepth, readUnderWrite = dontCare)
+  } else io.z := 0
 
   io.empty := written === depthFetched
   assert(!(io.push.valid && written + 1 === depthFetched), "the attribute memory is full")

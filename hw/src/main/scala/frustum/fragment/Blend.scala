@@ -9,7 +9,7 @@ import spinal.core._
 import spinal.lib._
 
 /** Writes pixels to the colour buffer of one tile, in two banks, blended by source alpha where the state says
-  * so; one a clock, latency 2 clocks, never stalls; the depth
+  * so; one a clock, latency 2 clocks, or 1 where no state can blend, or none where none tests depth either; never stalls; the depth
   * test is made meanwhile. [[Interlock]] keeps pixels apart that are still being
   * blended.
   *
@@ -29,7 +29,8 @@ case class Blend(config: RasterConfig, tech: Tech) extends Component {
     val busy = out Bool ()
   }
 
-  val memory = TileMemory(config, 16, resolved = true)
+  private val blends = !config.fixed.neverBlends
+  val memory = TileMemory(config, 16, resolved = true, drawnReads = blends)
   memory.io.clear <> io.clear
   memory.io.clearValue := io.clearColor
   io.color := memory.io.resolvedData
@@ -42,18 +43,19 @@ case class Blend(config: RasterConfig, tech: Tech) extends Component {
 
   val fetched = Flow(PixelWrite(config))
   val mixed = Flow(Mixed())
-  fetched << io.up.m2sPipe
+  fetched << (if (config.fixed.neverReads) io.up else io.up.m2sPipe)
   memory.io.readEnable := True
   memory.io.readBank := io.up.bank
   memory.io.readAddress := io.up.address
 
   val mixing = Mixed()
   mixing.assignSomeByName(fetched.payload)
-  mixed << fetched.takeWhen(io.passed).translateWith(mixing).m2sPipe
+  private val tested = fetched.takeWhen(io.passed).translateWith(mixing)
+  mixed << (if (blends) tested.m2sPipe else tested)
 
   memory.io.writeEnable := (mixed.valid && !mixed.tileEnd) #* 2 & UIntToOh(mixed.bank)
   memory.io.writeAddress := mixed.address
-  memory.io.writeData := (if (config.fixed.neverBlends) RegNext(fetched.r ## fetched.g ## fetched.b) else mix)
+  memory.io.writeData := (if (blends) mix else fetched.r ## fetched.g ## fetched.b)
 
   /** The colour for what is in `mixed`: red and blue by the multipliers, green by logic cells. */
   def mix: Bits = {
@@ -85,5 +87,5 @@ case class Blend(config: RasterConfig, tech: Tech) extends Component {
 
   io.tileEnd.valid := mixed.valid && mixed.tileEnd
   io.tileEnd.payload := mixed.bank
-  io.busy := fetched.valid || mixed.valid
+  io.busy := (if (config.fixed.neverReads) False else fetched.valid) || (if (blends) mixed.valid else False)
 }

@@ -14,6 +14,8 @@ import spinal.lib._
   * One product per channel serves all modes: (t * (c + c[7]) + 128) >> 8 with t the texel's 5 or 6 bits and c
   * the vertex's 8. It is exact at c = 0 and c = 255; Replace puts 255 for c, ColorOnly puts all ones for t,
   * which rounds c to the frame buffer's bits. An RGB565 texel has no alpha: the vertex's is kept.
+  *
+  * Where no state asks for anything but the texel there is nothing to do, and no latency.
   */
 case class Combine(config: RasterConfig, tech: Tech) extends Component {
   val io = new Bundle {
@@ -33,7 +35,7 @@ case class Combine(config: RasterConfig, tech: Tech) extends Component {
   val colorOnly = io.state.combine === spec.Combine.ColorOnly.code
   val replace = io.state.combine === spec.Combine.Replace.code
 
-  val operands = io.up
+  lazy val operands = io.up
     .translateWith {
       val next = Operands()
       val from = io.up.payload
@@ -49,7 +51,7 @@ case class Combine(config: RasterConfig, tech: Tech) extends Component {
     }
     .m2sPipe(collapsBubble = false)
 
-  val combined = operands
+  lazy val combined = operands
     .translateWith {
       val next = ColoredFragment(config)
       val from = operands.payload
@@ -92,5 +94,15 @@ case class Combine(config: RasterConfig, tech: Tech) extends Component {
     (exact.asUInt + lower).drop(5).asUInt.resize(widthOf(t))
   }
 
-  io.down << combined
+  /** Nothing to be combined. */
+  def texelAlone: Stream[ColoredFragment] = io.up.translateWith {
+    val next = ColoredFragment(config)
+    next.assignSomeByName(io.up.texel)
+    next.x := io.up.attributes.x
+    next.y := io.up.attributes.y
+    next.tileEnd := io.up.attributes.tileEnd
+    next
+  }
+
+  io.down << (if (config.fixed.texelsAlone) texelAlone else combined)
 }

@@ -37,8 +37,9 @@ case class Interlock(config: RasterConfig) extends Component {
   val atBefore = RegNext(place(held.payload))
   val meets1 = held.valid && place(io.up.payload) === place(held.payload)
   val meets2 = before && place(io.up.payload) === atBefore
-  val meets = io.up.valid && !stalled && Mux(io.state.blend, meets1 || meets2, meets1)
-  again := io.up.valid && !stalled && meets1 && io.state.blend
+  // Whoever never reads meets nobody.
+  val meets = Bool(!config.fixed.neverReads) && io.up.valid && !stalled && Mux(io.state.blend, meets1 || meets2, meets1)
+  again := Bool(!config.fixed.neverBlends) && io.up.valid && !stalled && meets1 && io.state.blend
 
   when(io.clear.done) { resolves := False }
   when(held.fire && held.tileEnd) { resolves := True }

@@ -10,8 +10,10 @@ import spinal.lib._
   *
   * @param resolved
   *   whether the resolver reads it; otherwise it is only cleared
+  * @param drawnReads
+  *   whether those who draw read it; otherwise `readData` means nothing
   */
-case class TileMemory(config: RasterConfig, width: Int, resolved: Boolean) extends Component {
+case class TileMemory(config: RasterConfig, width: Int, resolved: Boolean, drawnReads: Boolean = true) extends Component {
   val addressBits = config.tileLog2Width + config.tileLog2Height
   val io = new Bundle {
     val readEnable = in Bool ()
@@ -36,8 +38,8 @@ case class TileMemory(config: RasterConfig, width: Int, resolved: Boolean) exten
     )
     if (resolved)
       memory.readSync(
-        address = Mux(theirs, io.clear.readAddress, io.readAddress),
-        enable = Mux(theirs, io.clear.read, io.readEnable)
+        address = if (drawnReads) Mux(theirs, io.clear.readAddress, io.readAddress) else io.clear.readAddress,
+        enable = if (drawnReads) Mux(theirs, io.clear.read, io.readEnable) else io.clear.read
       )
     else memory.readSync(io.readAddress, io.readEnable)
   })

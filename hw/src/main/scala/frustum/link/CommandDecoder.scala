@@ -17,6 +17,7 @@ import spinal.lib._
   *     job's bank is free again. `begin` waits for a free bank, `texels` until every job is done.
   *   - a refused command changes nothing, but for texels that run beyond the memory, of which those within it are
   *     written, and for `begin`, which ends the frame begun before it in any case
+  *   - hardware made for fewer states, clear colours, vertices or triangles, or for nearer ranges refuses the others alike
   *   - a refused vertex leaves its slot with a tag of another frame; a position out of range is not stored
   *   - a triangle costs about 62 clocks, a vertex 31
   */
@@ -26,7 +27,7 @@ case class CommandDecoder(config: RasterConfig) extends Component {
     val words   = slave(Stream(Bits(16 bits)))
     val store   = master(StoreBus(layout))
     val texels  = master(Stream(TexelWrite()))
-    val job     = master(Stream(FrameJob()))
+    val job     = master(Stream(FrameJob(config)))
     val jobDone = in Bool ()
     val drawing = out Bool ()
     val events  = out(DecoderEvents())
@@ -63,22 +64,28 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   io.drawing := jobs =/= 0
   jobs       := jobs + U(io.job.fire) - U(io.jobDone)
 
+  // Texels beyond the memory have an address of their own, after its end.
+  private val texelBits   = log2Up(config.textureTexels)
+  private val addressBits = log2Up(layout.triangles + 1).max(texelBits + 1)
   // Address of a vertex's word or a texel; counts up as words are written.
-  val address      = Reg(UInt(16 bits))
+  val address      = Reg(UInt(addressBits bits))
   val count        = False
   val frameHeader  = new FrameHeader(config, data(15 downto 0))
-  val triangle     = new TriangleAssembly(config, frameHeader.tag, address, io.store.rsp.payload, state === response)
+  val triangle     = new TriangleAssembly(config, frameHeader.tag, data(9 downto 0).asUInt, io.store.rsp.payload, state === response)
   val vertexOffset = triangle.tagRead ## triangle.tagRead // 0, or 3: the word that holds the tag
-  val vertexWord   = ((data(9 downto 0) ## vertexOffset).asUInt +^ data(9 downto 0).asUInt).resize(16)
+  private val index = data(config.vertexBits - 1 downto 0)
+  val vertexWord   = ((index ## vertexOffset).asUInt +^ index.asUInt).resize(addressBits)
   when(count || state === loadVertex || state === load || state === loadTexel) {
-    val texelBlock = (data(10 downto 0) << 4).asUInt.resize(16)
+    val texelBlock = (data(10 downto 0) << 4).asUInt.resize(addressBits)
+    val blockBits  = texelBits - 4
+    if (blockBits < 11) when(data(10 downto blockBits).orR)(texelBlock(addressBits - 1 downto texelBits) := 1)
     address := Mux(count, address + 1, Mux(is_(Command.Texels), texelBlock, vertexWord))
   }
 
   val vertices = Reg(UInt(CommandDecoder.CountBits bits)) // arrived since begin
   val beyond   = Reg(Bool()) // the vertex index is
   val pair     = Reg(UInt(3 bits)) // of the vertex's words
-  val check    = VertexCheck()
+  val check    = VertexCheck(config.ranges)
   check.io.clear        := False
   check.io.word.valid   := io.words.valid && is_(Command.Vertices) && (state === fetchFirst || state === fetchSecond)
   check.io.word.payload := word
@@ -170,8 +177,11 @@ case class CommandDecoder(config: RasterConfig) extends Component {
       when(!jobs.msb)(state := frame)
     }
     is(frame) { frameHeader.tag := word(6 downto 0); after(color) }
-    is(color) { frameHeader.clearColor := word; after(region) }
-    is(region)(after(range))
+    is(color) { frameHeader.takeColor(word); after(region) }
+    is(region) {
+      when(!frameHeader.vertical && frameHeader.badColor)(refused := True)
+      after(range)
+    }
     is(range) {
       when(judged) {
         frameHeader.takeRange()
@@ -205,8 +215,11 @@ case class CommandDecoder(config: RasterConfig) extends Component {
       }
     }
     is(writeState) {
-      ask := True
-      when(served)(state := finish)
+      if (config.fixed.whole) state := finish // it is the one there is
+      else {
+        ask := True
+        when(served)(state := finish)
+      }
       if (config.fixed != FixedState.None) {
         def constant(v: Int) = B(BigInt(v & 0xffffffffL), 32 bits).rotateRight(16) // first word of the wire above
         when((data & constant(config.fixed.mask)) =/= constant(config.fixed.value)) {

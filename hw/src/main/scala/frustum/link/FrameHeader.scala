@@ -11,7 +11,8 @@ class FrameHeader(config: RasterConfig, word: Bits) extends Area {
   val open       = RegInit(False)
   val bank       = RegInit(False)
   val tag        = Reg(Bits(7 bits))
-  val clearColor = Reg(Bits(16 bits))
+  val clearColor = config.clearColor.fold(Reg(Bits(16 bits)))(B(_, 16 bits))
+  val badColor   = Bool(config.clearColor.isDefined) && word =/= clearColor
   val region     = Reg(Vec.fill(4)(UInt(5 bits))) // x0, x1, y0, y1
 
   val vertical      = Reg(Bool()) // the range in hand is that of y
@@ -19,10 +20,12 @@ class FrameHeader(config: RasterConfig, word: Bits) extends Area {
   val lastTile      = Mux(vertical, U(config.tilesY - 1, 5 bits), U(config.tilesX - 1, 5 bits))
   val badRange      = RegNext((word & 0xe0e0) =/= 0 || first > last || last > lastTile) // of the word a clock ago
 
+  def takeColor(color: Bits): Unit = if (config.clearColor.isEmpty) clearColor := color
+
   /** Takes a range of tiles; x comes first and is moved on by y. */
   def takeRange(): Unit = {
-    region(0) := region(2)
-    region(1) := region(3)
+    region(0) := region(2).resize(config.tileXBits).resized
+    region(1) := region(3).resize(config.tileXBits).resized
     region(2) := first
     region(3) := last
     vertical  := True

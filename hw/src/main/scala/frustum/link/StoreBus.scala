@@ -21,9 +21,9 @@ case class StoreBus(layout: StoreLayout) extends Bundle with IMasterSlave {
 }
 
 /** A frame (or pass) handed to the rasterizer. */
-case class FrameJob() extends Bundle {
+case class FrameJob(config: RasterConfig) extends Bundle {
   val bank           = UInt(1 bits)
-  val triangleCount  = UInt(11 bits)
+  val triangleCount  = UInt(config.countBits bits)
   val clearColor     = Bits(16 bits)
   val x0, x1, y0, y1 = UInt(5 bits) // tiles, inclusive
 }

@@ -1,20 +1,19 @@
 package frustum.link
 
 import frustum.spec.RasterConfig
-import frustum.spec.StoreLayout
 import spinal.core._
 
 /** The part of [[CommandDecoder]] that judges a triangle: it has the corners' positions and tags read, last corner
   * first, horizontally (position and tag) and then vertically (position alone), and finds the bounding box.
   *
-  * @param tag     of the frame, @param address of the word being read
+  * @param tag     of the frame
+  * @param index   of the vertex being read
   * @param corners word of the store that a read has brought
   * @param arrives a read is answered in this clock
   */
-class TriangleAssembly(config: RasterConfig, tag: Bits, address: UInt, corners: Bits, arrives: Bool) extends Area {
-  val layout      = StoreLayout(config)
+class TriangleAssembly(config: RasterConfig, tag: Bits, index: UInt, corners: Bits, arrives: Bool) extends Area {
   val arrived     = Reg(UInt(CommandDecoder.CountBits bits)) // since begin
-  val stored      = Reg(UInt(11 bits)) // in the bank
+  val stored      = Reg(UInt(config.countBits bits)) // in the bank
   val renderState = Reg(Bits(4 bits))
 
   val tagRead  = Reg(Bool()) // the word being read is that with the tag
@@ -24,11 +23,12 @@ class TriangleAssembly(config: RasterConfig, tag: Bits, address: UInt, corners: 
   val missed   = Reg(Bool()) // the screen, horizontally
   val firstX, lastX = Reg(UInt(5 bits))
 
+  private val bits = config.ranges.positionBits
   val box = TriangleBox(config)
   box.io.clear              := False
   box.io.vertical           := vertical
   box.io.coordinate.valid   := arrives && !tagRead
-  box.io.coordinate.payload := Mux(vertical, corners(14 downto 0), corners(30 downto 16)).asSInt
+  box.io.coordinate.payload := Mux(vertical, corners(0, bits bits), corners(16, bits bits)).asSInt
 
   val cornerDone = tagRead || vertical // with this answer
   val lastCorner = corner === 2
@@ -52,7 +52,7 @@ class TriangleAssembly(config: RasterConfig, tag: Bits, address: UInt, corners: 
     tagRead := !vertical && !tagRead
     when(cornerDone)(corner := corner + 1)
     when(tagRead && corners(31 downto 25) =/= tag)(stale := True)
-    if (config.maxVertices < 1024) stale setWhen (address >= layout.triangles)
+    if (config.maxVertices < 1024) stale setWhen (index >= config.maxVertices)
   }
 
   /** Waits for the box; true in the last clock. */

@@ -17,7 +17,7 @@ case class TriangleBox(config: RasterConfig) extends Component {
   val io = new Bundle {
     val clear      = in Bool ()
     val vertical   = in Bool () // the axis, steady from `clear` on
-    val coordinate = slave(Flow(SInt(15 bits))) // 1/16 pixel
+    val coordinate = slave(Flow(SInt(config.ranges.positionBits bits))) // 1/16 pixel
     val firstX, lastX, firstY, lastY = out UInt (5 bits) // of the axis in hand; the other pair means nothing
     val empty      = out Bool () // no pixel centre on the screen
   }
@@ -26,7 +26,7 @@ case class TriangleBox(config: RasterConfig) extends Component {
 
   val taken      = RegNext(io.coordinate.valid) init False
   val coordinate = RegNextWhen(io.coordinate.payload, io.coordinate.valid)
-  val pixel      = coordinate(13 downto 4).asUInt
+  val pixel      = coordinate(config.ranges.positionBits - 2 downto 4).asUInt
   val fraction   = coordinate(3 downto 0).asUInt
   val left       = coordinate.sign
   val right      = pixel >= limit

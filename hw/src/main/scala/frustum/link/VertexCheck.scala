@@ -1,5 +1,6 @@
 package frustum.link
 
+import frustum.spec.VertexRanges
 import spinal.core._
 import spinal.lib._
 
@@ -8,7 +9,7 @@ import spinal.lib._
   * its pair, 0 to 4, and `second` tells the later of it. `fault` is right from the clock after that until `clear`; depth,
   * exponent and colour cannot be out of range.
   */
-case class VertexCheck() extends Component {
+case class VertexCheck(ranges: VertexRanges) extends Component {
   val io = new Bundle {
     val clear  = in Bool ()
     val word   = slave(Flow(Bits(16 bits)))
@@ -21,14 +22,17 @@ case class VertexCheck() extends Component {
 
   // A field of n bits that may hold -2^(n-1) + 1 to 2^(n-1) - 1: its spare upper bits repeat the sign, and the most
   // negative value is refused, which for texture coordinates takes both words.
-  val low7     = RegNext(word(6 downto 0) === 0)
-  val zero14   = low7 && RegNext(word(13 downto 7) === 0)
-  val upper    = RegNext(word(15 downto 14))
-  val signs    = RegNext(word(10 downto 7))
-  val zero     = zero14 && !upper.orR
-  val position = upper.xorR || (upper.msb && zero14)
+  private val magnitude = ranges.position + 4 // bits
+  private val low       = ranges.repeats      // so many bits of a texture coordinate's upper word
+  private def zeroes(high: Int, low: Int) = if (high < low) True else RegNext(word(high downto low) === 0)
+  val lowZero  = zeroes(low - 1, 0)
+  val magZero  = lowZero && zeroes(magnitude - 1, low)
+  val upper    = RegNext(word(15 downto magnitude))
+  val signs    = RegNext(word(10 downto ranges.repeats))
+  val zero     = magZero && !upper.orR
+  val position = upper.orR && !upper.andR || (upper.msb && magZero)
   val texture  = !signs.andR && signs.orR
-  val lowest   = RegNextWhen(signs.andR && low7, io.busy && !io.second)
+  val lowest   = RegNextWhen(signs.andR && lowZero, io.busy && !io.second)
 
   val bad = io.pair.mux(
     0       -> position,

@@ -30,7 +30,10 @@ case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component 
     val pixels = master(Stream(ResolvedPixel(config)))
   }
 
-  val divide = PerspectiveDivide(tech)
+  private val isLate = LateDivide.suits(config)
+  val lateDivide = isLate generate LateDivide(config, tech)
+  val divide = !isLate generate PerspectiveDivide(tech)
+  private def divideIo = if (isLate) lateDivide.io else divide.io
   val texture = TextureUnit(config, tech)
   val waiting = AttributeMemory(config)
   val combine = Combine(config, tech)
@@ -40,12 +43,12 @@ case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component 
   val blend = Blend(config, tech)
   val resolver = Resolver(config)
 
-  divide.io.up << io.up.translateWith {
+  divideIo.up << io.up.translateWith {
     val coordinate = ProjectiveCoordinate()
     coordinate.assignSomeByName(io.up.payload.asInstanceOf[Bundle])
     coordinate
   }
-  texture.io.up << divide.io.down
+  texture.io.up << divideIo.down
   waiting.io.push << io.up.toFlowFire
   waiting.io.fetch := texture.io.fetch
 

@@ -53,18 +53,19 @@ case class EdgeWalker(config: RasterConfig) extends Component {
     when(turn) { a := c; b := a; c := b }
   }
   // Steps enter at b and values at c; `start` moves the steps on to where their values are.
-  val slope    = Ring(SInt(17 bits), turning || io.start || io.step.valid && !stepIsY) // per pixel to the right
-  val descent  = Ring(SInt(17 bits), turning || io.start || io.step.valid && stepIsY)  // per row
+  private val stepBits = config.ranges.stepBits
+  val slope    = Ring(SInt(stepBits bits), turning || io.start || io.step.valid && !stepIsY) // per pixel to the right
+  val descent  = Ring(SInt(stepBits bits), turning || io.start || io.step.valid && stepIsY)  // per row
   when(io.step.valid) {
-    when(!stepIsY) { slope.b := io.step.payload } otherwise { descent.b := io.step.payload }
+    when(!stepIsY) { slope.b := io.step.payload.resized } otherwise { descent.b := io.step.payload.resized }
   }
   val turn     = turning || loading
-  val value    = Ring(SInt(28 bits), turn) // at the pixel of `position`, or, if `back`, at the one outside of it
+  val value    = Ring(SInt(config.ranges.edgeBits bits), turn) // at the pixel of `position`, or, if `back`, at the one outside of it
   val position = Ring(UInt(config.tileLog2Width bits), turn)
   val back     = Ring(Bool(), turn)        // not yet primed: the value's sixteenths are zero
   val parity   = Ring(Bool(), turn)        // of the row that the edge works on
   when(loading) {
-    value.c := io.edge.value >> 4
+    value.c := (io.edge.value >> 4).resized
     position.c := 0
     back.c := io.edge.value(3 downto 0) === 0
     parity.c := False
@@ -89,7 +90,7 @@ case class EdgeWalker(config: RasterConfig) extends Component {
   val topLeft   = !fromRight && (!flat || !descent.c.msb)
 
   // Sixteenths are the same at every pixel centre and are dropped: a zero becomes less where the edge does not own it.
-  val addend = RegNextWhen(moves ? (slope.c ^ S(17 bits, default -> !add)) | (descent.c | S(17 bits, default -> !add)), turn)
+  val addend = RegNextWhen(moves ? (slope.c ^ S(stepBits bits, default -> !add)) | (descent.c | S(stepBits bits, default -> !add)), turn)
   val carry  = RegNextWhen(!add && !(priming && back.c && !topLeft), turn)
   val primer = (priming && fromRight) ? lastColumn | U(lastColumn.range -> (shifts && !add))
   when(turn) {

@@ -95,8 +95,10 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   // Clock 2: it is added. In place of the move that the end mark followed, the planes become zero: the next move brings
   // another triangle's first value.
   val complement = RegNextWhen(moving && inRow && toLeft, moves) // the step to the left lacks one
-  val widths = Seq.fill(4)(32) ++ Seq.fill(4)(16)
-  val planes = for ((full, plane) <- widths.zipWithIndex) yield new Area {
+  private def fullWidth(plane: Int) =
+    if (plane < SetupWords.PlaneQ) config.ranges.coordinateBits else if (plane <= SetupWords.PlaneZ) 32 else 16
+  val planes = for (plane <- config.fixed.planes) yield new Area {
+    val full    = fullWidth(plane)
     val dropped = config.formats.dropped(plane)
     val width   = full - dropped
     val memory  = Mem(SInt(width bits), slots * 8)
@@ -128,5 +130,8 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   import SetupWords._
   Seq(PlaneS -> io.down.s, PlaneT -> io.down.t, PlaneQ -> io.down.q, PlaneZ -> io.down.z,
     PlaneR -> io.down.r, PlaneG -> io.down.g, PlaneB -> io.down.b, PlaneA -> io.down.a)
-    .foreach { case (plane, to) => to := planes(plane).value << planes(plane).dropped }
+    .foreach { case (plane, to) =>
+      val made = config.fixed.planes.indexOf(plane)
+      if (made < 0) to := 0 else to := (planes(made).value << planes(made).dropped).resize(to.getWidth)
+    }
 }

@@ -16,7 +16,7 @@ import spinal.lib._
 case class Rasterizer(config: RasterConfig, slots: Int, tech: Tech) extends Component {
   val layout = StoreLayout(config)
   val io = new Bundle {
-    val frame = slave Stream (FrameJob())
+    val frame = slave Stream (FrameJob(config))
     /** Clients of the scene store, the most urgent first: set-up, render state, sequencer. */
     val stores   = Vec(master(StoreBus(layout)), 3)
     val tile     = master Stream (TilePosition())

@@ -27,7 +27,11 @@ case class SetupEngine(slots: Int, tech: Tech, planes: Seq[Int] = SetupWords.All
 
   val program     = SetupProgram(planes)
   val sectionBits = log2Up(program.sections.length)
-  val words = SetupWords.SharedWords + slots * SetupWords.SlotWords
+  // Slots of 32 words at most lie one after the other, before the shared words: an address is put together, not added up.
+  private val slotWords = SetupWords.slotWords(planes)
+  private val aligned   = slotWords <= 32
+  private val shared    = if (aligned) slots * 32 else 0
+  val words             = SetupWords.SharedWords + slots * (if (aligned) 32 else slotWords)
   val io = new Bundle {
     val run      = slave Flow (UInt(sectionBits bits))
     val slot     = in UInt (log2Up(slots) bits)
@@ -63,7 +67,7 @@ case class SetupEngine(slots: Int, tech: Tech, planes: Seq[Int] = SetupWords.All
     more := True
     running := True
   }
-  val rom  = Mem(Bits(WordBits bits), image.map(i => B(encode(i), WordBits bits)))
+  val rom  = Mem(Bits(WordBits bits), image.map(i => B(encode(i, planes), WordBits bits)))
   val word = rom.readSync(pc.resized, enable = phase)
 
   class Control extends Bundle {
@@ -82,10 +86,12 @@ case class SetupEngine(slots: Int, tech: Tech, planes: Seq[Int] = SetupWords.All
 
   // Clock 0 reads b, clock 1 a. An edge's walk starts at the side from which its function grows.
   val scratch = Mem(SInt(32 bits), words)
-  scratch.init((0 until words).map(n => S(SetupWords.constants.getOrElse(n + SetupWords.Shared, 0), 32 bits)))
-  val bases = Vec((0 until slots).map(n => U(SetupWords.SharedWords + n * SetupWords.SlotWords, log2Up(words) bits)))
-  val slotBase = RegNext(bases(io.slot))
-  def address(code: UInt): UInt = (code.msb ? U(0, log2Up(words) bits) | slotBase) + code(CodeBits - 2 downto 0)
+  scratch.init((0 until words).map(n => S(SetupWords.constants.getOrElse(n - shared + SetupWords.Shared, 0), 32 bits)))
+  val bases = Vec((0 until slots).map(n => U(SetupWords.SharedWords + n * slotWords, log2Up(words) bits)))
+  val slotBase = RegNext(if (aligned) io.slot else bases(io.slot))
+  def address(code: UInt): UInt =
+    if (aligned) ((code.msb ? U(slots, log2Up(words) - 5 bits) | slotBase.resized) @@ code(4 downto 0))
+    else (code.msb ? U(0, log2Up(words) bits) | slotBase) + code(CodeBits - 2 downto 0)
   val readWord = UInt(CodeBits bits)
   val data     = scratch.readSync(address(readWord), readUnderWrite = dontCare)
   readWord := executing ? (phase ? wordA | wordB) | io.read
@@ -99,13 +105,13 @@ case class SetupEngine(slots: Int, tech: Tech, planes: Seq[Int] = SetupWords.All
 
   // Clocks 2 and 3 hand the multipliers a, and b's signed lower half, then its upper half, rounded up to make good for
   // the sign.
-  val bLower = RegNextWhen(data(15 downto 0).asBits, phase)
   val bUpper = RegNextWhen((data(31 downto 16).asUInt + data(15).asUInt).asBits, phase)
+  val bHalf  = RegNext(phase ? data(15 downto 0).asBits | bUpper)
   val low    = Multiplier16(tech, signedA = false, signedB = true, hold = true)
   val high   = Multiplier16(tech, signedA = true, signedB = true, hold = true)
   low.io.a := data(15 downto 0).asBits
   high.io.a := data(31 downto 16).asBits
-  Seq(low, high).foreach { m => m.io.enable := True; m.io.b := phase ? bUpper | bLower; m.io.holdA := phase }
+  Seq(low, high).foreach { m => m.io.enable := True; m.io.b := bHalf; m.io.holdA := phase }
 
   // The instruction's control follows: stage n is valid in clocks 2 n and 2 n + 1.
   val valids   = History(executing, 4, phase, False).tail

@@ -33,14 +33,14 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
     val start    = in Bool ()
     val program  = in UInt (6 bits) // 0: vertices
     val idle     = out Bool ()
-    val triangle = in UInt (10 bits)
+    val triangle = in UInt (config.triangleBits bits)
     val bank     = in UInt (1 bits)
     val values   = in(FetchValues(config))
     val store    = master(StoreBus(layout))
     val read     = out UInt (SetupWords.CodeBits bits)
     val readData = in SInt (32 bits)
     val write    = master Flow (ScratchWrite())
-    val spare    = slave(SpareRows(spareRows))
+    val spare    = slave(SpareRows(spareRows, config.triangleBits))
   }
 
   object State extends SpinalEnum { val Idle, Vertices, Exponents, Read, Wait, Write = newElement() }
@@ -73,14 +73,14 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
     readUnderWrite = dontCare
   )
   io.spare.free := resting
-  io.spare.data := read(9 downto 0).asUInt
+  io.spare.data := read(config.triangleBits - 1 downto 0).asUInt
   val action = FetchRow()
   action.assignFromBits(read)
   def isField(kind: Field.Value) = action.fields(kind.id)
 
   // Store reads: the vertices' indices, the three exponents, then word after word of each vertex. Indices and exponents
   // go round, the vertex at hand first.
-  val indices   = Vec.fill(3)(Reg(UInt(10 bits)))
+  val indices   = Vec.fill(3)(Reg(UInt(config.vertexBits bits)))
   val exponents = Vec.fill(3)(Reg(UInt(5 bits)))
   def turn[T <: Data](ring: Vec[T]): Unit = { ring(0) := ring(1); ring(1) := ring(2); ring(2) := ring(0) }
   val index     = indices(0).resize(layout.bankAddressBits)
@@ -150,7 +150,7 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
     }
     is(State.Vertices) {
       when(response.valid) {
-        for (v <- 0 to 2) indices(v) := response.payload(20 - 10 * v, 10 bits).asUInt
+        for (v <- 0 to 2) indices(v) := response.payload(20 - 10 * v, config.vertexBits bits).asUInt
         state := State.Exponents
         ask := True
       }

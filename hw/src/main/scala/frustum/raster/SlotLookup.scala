@@ -20,7 +20,7 @@ case class SlotLookup(config: RasterConfig, slots: Int) extends Component {
     val flush = in Bool () // a new frame: the slots are empty
     val up    = slave Stream (TileJob(config))
     val down  = master Stream (SlotJob(config, slots))
-    val tags  = master(SpareRows(slots))
+    val tags  = master(SpareRows(slots, config.triangleBits))
   }
   object State extends SpinalEnum { val Idle, Search, Found, Missed = newElement() }
   val state  = RegInit(State.Idle)

@@ -3,13 +3,13 @@ package frustum.raster
 import spinal.core._
 import spinal.lib._
 
-/** Access to the rows of the table that [[frustum.spec.FetchProgram]] leaves free: 10 bits each, readable while `free`,
+/** Access to the rows of the table that [[frustum.spec.FetchProgram]] leaves free: `width` bits each, readable while `free`,
   * one clock after `address`.
   */
-case class SpareRows(rows: Int) extends Bundle with IMasterSlave {
+case class SpareRows(rows: Int, width: Int) extends Bundle with IMasterSlave {
   val free    = Bool()
   val address = UInt(log2Up(rows) bits)
-  val data    = UInt(10 bits)
-  val write   = Flow(new Bundle { val address = UInt(log2Up(rows) bits); val data = UInt(10 bits) })
+  val data    = UInt(width bits)
+  val write   = Flow(new Bundle { val address = UInt(log2Up(rows) bits); val data = UInt(width bits) })
   override def asMaster(): Unit = { out(address); in(free, data); master(write) }
 }

@@ -8,6 +8,6 @@ case class TileJob(config: RasterConfig) extends Bundle {
   val tileEnd  = Bool()
   val tileX    = UInt(5 bits)
   val tileY    = UInt(5 bits)
-  val triangle = UInt(10 bits)
+  val triangle = UInt(config.triangleBits bits)
   val state    = UInt(4 bits)
 }

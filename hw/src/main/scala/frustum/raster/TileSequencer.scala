@@ -14,7 +14,7 @@ import spinal.lib._
 case class TileSequencer(config: RasterConfig) extends Component {
   val layout = StoreLayout(config)
   val io = new Bundle {
-    val frame = slave Stream (FrameJob())
+    val frame = slave Stream (FrameJob(config))
     val store = master(StoreBus(layout))
     val tile  = master Stream (TilePosition())
     val job   = master Stream (TileJob(config))
@@ -24,12 +24,12 @@ case class TileSequencer(config: RasterConfig) extends Component {
   object State extends SpinalEnum { val Idle, Tile, Settle, Scan, Hand, End, Drain = newElement() }
   val state    = RegInit(State.Idle)
   val tile     = Reg(TilePosition())
-  val next     = Reg(UInt(11 bits)) // the next triangle to be looked at, counted from 1
+  val next     = Reg(UInt(config.countBits bits)) // the next triangle to be looked at, counted from 1
   val frame    = io.frame.payload
 
   // A box is asked for every clock. Its answer is held against the tile when it comes, and looked at a clock later; after
   // a hit the answers still under way are let go by.
-  val asked    = Reg(UInt(11 bits))         // the next box to be asked for, counted from 1
+  val asked    = Reg(UInt(config.countBits bits)) // the next box to be asked for, counted from 1
   val pending  = Reg(UInt(2 bits)) init 0   // answers under way
   val response = io.store.rsp
   def field(n: Int) = response.payload(5 * n, 5 bits).asUInt
@@ -38,7 +38,7 @@ case class TileSequencer(config: RasterConfig) extends Component {
     RegNext(field(1) <= tile.tileY) && RegNext(field(0) >= tile.tileY)
   val boxState = RegNext(response.payload(31 downto 28).asUInt)
   val ended    = Reg(Bool()) // none is left to be looked at
-  val hitTriangle = Reg(UInt(10 bits))
+  val hitTriangle = Reg(UInt(config.triangleBits bits))
   val hitState    = Reg(UInt(4 bits))
 
   io.store.cmd.valid := state === State.Scan && pending =/= 3
@@ -78,7 +78,7 @@ case class TileSequencer(config: RasterConfig) extends Component {
         next := next + 1
         ended := next === frame.triangleCount
         hitTriangle := (next - 1).resized
-        hitState := boxState
+        hitState := (if (config.fixed.whole) U(0) else boxState) // one is as good as another
         when(inside) { state := State.Hand }
       }
     }
@@ -88,7 +88,7 @@ case class TileSequencer(config: RasterConfig) extends Component {
     }
     is(State.End) {
       when(io.job.ready) {
-        tile.tileX := tile.tileX + 1
+        tile.tileX := (tile.tileX + 1).resize(config.tileXBits).resized
         state := State.Tile
         when(tile.tileX === frame.x1) {
           tile.tileX := frame.x0

@@ -61,7 +61,7 @@ object FetchProgram {
   private def wanted(row: Row, planes: Seq[Int]): Boolean = row.field match {
     case Field.Q | Field.Texture | Field.Scale => planes.contains(PlaneQ)
     case Field.Z                               => planes.contains(PlaneZ)
-    case Field.Color                           => (PlaneR to PlaneA).exists(planes.contains)
+    case Field.Color => planes.exists(p => Seq(value(p), delta1(p), delta2(p)).contains(row.target))
     case Field.Skip                            => false
     case _                                     => true
   }
@@ -118,19 +118,19 @@ object FetchProgram {
     */
   val RowBits = 30
 
-  private def encode(program: Seq[Row]): Seq[Int] = program.zipWithIndex.map { case (r, n) =>
+  private def encode(program: Seq[Row], planes: Seq[Int]): Seq[Int] = program.zipWithIndex.map { case (r, n) =>
     val next                     = program.lift(n + 1)
     def bit(b: Boolean, at: Int) = (if (b) 1 else 0) << at
     val lastOfWord               = r.field != Field.Pixel && next.forall(_.word != r.word)
     bit(next.isEmpty, 29) | bit(lastOfWord, 28) | bit(r.take, 27) | bit(r.upper, 26) | r.word << 23 |
-      bit(r.field != Field.Skip, 14 + r.field.id) | code(r.origin) << 7 | code(r.target)
+      bit(r.field != Field.Skip, 14 + r.field.id) | code(r.origin, planes) << 7 | code(r.target, planes)
   }
 
   def image(planes: Seq[Int]): Seq[Int] = {
     val programs = (0 to 2).map(v => 16 * v -> vertex(v, planes)) ++
       Seq(Corner -> corner, Pixel -> pixel, Normal -> normal, GradientShift -> gradientShift)
     val rows = programs.flatMap { case (at, program) =>
-      encode(program).zipWithIndex.map { case (r, n) => at + n -> r }
+      encode(program, planes).zipWithIndex.map { case (r, n) => at + n -> r }
     }.toMap
     require(rows.size == programs.map(_._2.length).sum, "programs of the table overlap")
     (0 until Rows).map(rows.getOrElse(_, 0))

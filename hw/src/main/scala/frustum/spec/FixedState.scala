@@ -30,6 +30,17 @@ final case class FixedState(mask: Int, value: Int) {
     AllPlanes.diff(none)
   }
 
+  /** Nothing can be chosen: there is one state, and no need to keep it. */
+  def whole: Boolean = mask == -1
+
+  /** All states show the texel as it is, and nobody asks for its alpha. */
+  def texelsAlone: Boolean =
+    (mask & FixedState.CombineBits) == FixedState.CombineBits &&
+      (value & FixedState.CombineBits) == Combine.Replace.code << 20 && !planes.contains(SetupWords.PlaneA)
+
+  /** No fragment's fate depends on what is in the tile's memories. */
+  def neverReads: Boolean = neverBlends && !planes.contains(SetupWords.PlaneZ)
+
   /** No state blends. */
   def neverBlends: Boolean = (mask & FixedState.Blend) != 0 && (value & FixedState.Blend) == 0
 

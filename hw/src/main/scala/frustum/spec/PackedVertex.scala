@@ -15,15 +15,17 @@ package frustum.spec
 final case class PackedVertex(
     x: Int, y: Int, z: Int, qMantissa: Int, qExponent: Int, s: Int, t: Int, r: Int, g: Int, b: Int, a: Int
 ) {
-  import PackedVertex._
-
   /** What keeps the hardware from accepting this vertex, or None. The decoder makes the same test at its door. */
-  def fault: Option[String] =
-    if (x.abs > MaxXy || y.abs > MaxXy) Some(s"position ($x, $y)/16 is beyond +-$MaxXy/16 pixels")
+  def fault: Option[String] = fault(VertexRanges())
+
+  /** The same for hardware made for these ranges. */
+  def fault(ranges: VertexRanges): Option[String] =
+    if (x.abs > ranges.maxXy || y.abs > ranges.maxXy) Some(s"position ($x, $y)/16 is beyond +-${ranges.maxXy}/16 pixels")
     else if (z < 0 || z > 65535) Some(s"depth $z is outside 0..65535")
     else if (qMantissa < 32768 || qMantissa > 65535) Some(s"1/w mantissa $qMantissa is not normalised (32768..65535)")
     else if (qExponent < 0 || qExponent > 31) Some(s"1/w exponent $qExponent is outside 0..31")
-    else if (s.abs > MaxSt || t.abs > MaxSt) Some(s"texture coordinate ($s, $t)/65536 is beyond +-$MaxSt/65536 repeats")
+    else if (s.abs > ranges.maxSt || t.abs > ranges.maxSt)
+      Some(s"texture coordinate ($s, $t)/65536 is beyond +-${ranges.maxSt}/65536 repeats")
     else if (Seq(r, g, b, a).exists(c => c < 0 || c > 255)) Some(s"colour ($r, $g, $b, $a) is outside 0..255")
     else None
 

@@ -28,6 +28,10 @@ object ReciprocalTable {
     scala.math.round(8 * (from + lineError / 2 + 0.5) + 0.25).toInt
   }
 
+  /** The table as it lies in two memories of 16 bits. */
+  def slopeWords: Seq[Int] = (0 until size).map(i => (base(i) & 7) << SlopeBits | slope(i))
+  def baseWords: Seq[Int]  = base.toSeq.map(_ >> 3)
+
   /** r in units of 2^-16; `fraction` is the top 20 bits of f. */
   def apply(fraction: Int): Int = {
     val i = fraction >>> FractionBits

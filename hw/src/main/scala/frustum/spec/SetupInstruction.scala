@@ -53,12 +53,13 @@ object SetupInstruction {
     * Words are named by [[SetupWords.code]].
     */
   val WordBits = 30
-  def encode(i: SetupInstruction): Int = {
+  def encode(i: SetupInstruction, planes: Seq[Int]): Int = {
+    def code(word: Int) = SetupWords.code(word, planes)
     val target = i.result match {
       case Nowhere      => 0
-      case Integer(w)   => SetupWords.code(w)
-      case Fraction(w)  => SetupWords.code(w)
-      case Checked(w)   => SetupWords.code(w)
+      case Integer(w)   => code(w)
+      case Fraction(w)  => code(w)
+      case Checked(w)   => code(w)
       case GradientX(p) => p
       case GradientY(p) => p
       case Initial(p)   => p
@@ -66,6 +67,6 @@ object SetupInstruction {
     }
     def bit(b: Boolean, at: Int) = (if (b) 1 else 0) << at
     bit(i.far, 29) | bit(i.a == SetupWords.Top, 28) | bit(i.a == SetupWords.Left, 27) | i.result.code << 24 | target << 17 |
-      i.start.code << 15 | bit(i.subtract, 14) | SetupWords.code(i.b) << 7 | SetupWords.code(i.a)
+      i.start.code << 15 | bit(i.subtract, 14) | code(i.b) << 7 | code(i.a)
   }
 }

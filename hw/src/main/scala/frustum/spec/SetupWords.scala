@@ -9,8 +9,20 @@ object SetupWords {
   /** First shared word. */
   val Shared = SlotWords
 
-  /** Hardware's name of a word, [[CodeBits]] wide: a flag for shared ones, then the place in the slot or among them. */
-  def code(word: Int): Int = if (word >= Shared) 1 << (CodeBits - 1) | word - Shared else word
+  /** Hardware's name of a word, [[CodeBits]] wide: a flag for shared ones, then the place in the slot or among them. A slot holds the words
+    * of wanted planes alone.
+    */
+  def code(word: Int, planes: Seq[Int]): Int =
+    if (word >= Shared) 1 << (CodeBits - 1) | word - Shared
+    else if (word < value(0)) word
+    else {
+      val at = planes.indexOf((word - value(0)) / 3)
+      require(at >= 0, s"word $word is of a plane that is not among $planes")
+      value(at) + (word - value(0)) % 3
+    }
+
+  /** Words of a slot with these planes. */
+  def slotWords(planes: Seq[Int]): Int = value(planes.length)
   val CodeBits = 7
   val Planes    = 8
 

@@ -23,11 +23,7 @@ import spinal.lib.misc.pipeline._
   * cutting.
   */
 case class PerspectiveDivide(tech: Tech) extends Component {
-  val io = new Bundle {
-    val up = slave(Stream(ProjectiveCoordinate()))
-    val down = master(Stream(TextureCoordinate()))
-    val busy = out Bool ()
-  }
+  val io = DivideIo()
   val line = new LockstepPipeline(7)
   val enable = line.enable
 
@@ -61,13 +57,8 @@ case class PerspectiveDivide(tech: Tech) extends Component {
   line(1)(INDEX) := fine.f(19 downto 12).asUInt
   line(1)(FRACTION) := fine.f(11 downto 0)
 
-  val slopes = Mem(
-    Bits(16 bits),
-    (0 until 256).map { i =>
-      B(((ReciprocalTable.base(i) & 7) << 13) | ReciprocalTable.slope(i), 16 bits)
-    }
-  )
-  val bases = Mem(Bits(16 bits), ReciprocalTable.base.toSeq.map(b => B(b >> 3, 16 bits)))
+  val slopes = Mem(Bits(16 bits), ReciprocalTable.slopeWords.map(B(_, 16 bits)))
+  val bases = Mem(Bits(16 bits), ReciprocalTable.baseWords.map(B(_, 16 bits)))
 
   val slopeWord = slopes.readSync(line(1)(INDEX), enable) // at node 2
   val baseWord = bases.readSync(line(1)(INDEX), enable)

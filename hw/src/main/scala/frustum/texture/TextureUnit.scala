@@ -6,7 +6,8 @@ import frustum.spec.RasterConfig
 import spinal.core._
 import spinal.lib._
 
-/** Nearest texel at a coordinate: wrap, address, fetch, decode; one a clock, latency 3 clocks.
+/** Nearest texel at a coordinate: wrap, address, fetch, decode; one a clock, latency 3 clocks,
+  * or 2 where there is one texture alone.
   *
   * Texel memory has one port. A write that is offered stops the reading, and is done when the last texel that
   * was read has been taken, since a write spoils the memory's output; then writes go at one a clock. `state`
@@ -35,8 +36,9 @@ case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
     index
   }
   val indexed = wrapped.m2sPipe(collapsBubble = false)
-  val addressed =
-    indexed.translateWith(TexelAddress(indexed.s, indexed.t, columns, io.state)).m2sPipe(collapsBubble = false)
+  private val placed = indexed.translateWith(TexelAddress(indexed.s, indexed.t, columns, io.state))
+  // A constant texture's address is hardly more than its index.
+  val addressed = if (config.fixed.whole) placed else placed.m2sPipe(collapsBubble = false)
   val read = addressed.haltWhen(io.texels.valid)
   val fetched = read.translateWith(NoData()).m2sPipe(collapsBubble = false)
 

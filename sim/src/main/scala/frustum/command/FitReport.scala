@@ -19,11 +19,15 @@ object FitReport {
   def scala(f: FitFeatures): String = {
     val c = f.config
     s"""RasterConfig(
-       |  width = ${c.width}, height = ${c.height}, textureTexels = ${c.textureTexels},
+       |  width = ${c.width}, height = ${c.height},
+       |  maxVertices = ${c.maxVertices}, maxTriangles = ${c.maxTriangles}, textureTexels = ${c.textureTexels},
        |  fixed = FixedState(mask = 0x${c.fixed.mask.toHexString}, value = 0x${c.fixed.value.toHexString}), // ${c.fixed.constant.mkString(
         ", "
       )}
-       |  formats = PlaneFormats(coordinate = ${c.formats.coordinate}, depth = ${c.formats.depth}, color = ${c.formats.color})
+       |  formats = PlaneFormats(coordinate = ${c.formats.coordinate}, depth = ${c.formats.depth},
+       |    color = ${c.formats.color}, inverse = ${c.formats.inverse}),
+       |  ranges = VertexRanges(position = ${c.ranges.position}, repeats = ${c.ranges.repeats}, ratio = ${c.ranges.ratio}),
+       |  clearColor = ${c.clearColor.fold("None")(v => f"Some(0x$v%04x)")}
        |) // with DrawOptions(cullBack = ${f.options.cullBack}, depthTest = ${f.options.depthTest})""".stripMargin
   }
 
@@ -65,12 +69,19 @@ object FitReport {
         "width"         -> c.width,
         "height"        -> c.height,
         "textureTexels" -> c.textureTexels,
+        "maxVertices"   -> c.maxVertices,
+        "maxTriangles"  -> c.maxTriangles,
+        "positionBits"  -> c.ranges.position,
+        "repeatBits"    -> c.ranges.repeats,
+        "ratioBits"     -> c.ranges.ratio,
+        "clearColor"    -> c.clearColor.fold[ujson.Value](ujson.Null)(ujson.Num(_)),
         "constant"      -> c.fixed.constant,
         "fixedMask"     -> (c.fixed.mask & 0xffffffffL).toDouble,
         "fixedValue"    -> (c.fixed.value & 0xffffffffL).toDouble,
         "coordinate"    -> c.formats.coordinate,
         "depth"         -> c.formats.depth,
         "color"         -> c.formats.color,
+        "inverse"       -> c.formats.inverse,
         "cullBack"      -> r.features.options.cullBack,
         "depthTest"     -> r.features.options.depthTest
       ),

@@ -1,6 +1,6 @@
 package frustum.host
 
-import frustum.spec.{PackedVertex, RasterConfig}
+import frustum.spec.{RasterConfig, VertexRanges}
 import org.joml.Vector4d
 
 /** Cuts triangles in homogeneous clip space, before the division by w.
@@ -21,14 +21,17 @@ final class Clipper(config: RasterConfig) {
   private val frustum: Seq[Plane] =
     Seq(near, far, c => c.w + c.x, c => c.w - c.x, c => c.w + c.y, c => c.w - c.y)
 
+  /** Pixels from the top left corner of the screen; one step of 1/16 inside what the vertex format holds. */
+  private val guardBand = Clipper.guardBand(config.ranges)
+
   /** x on the screen, times w, pixels. */
   private def screenX(c: Vector4d) = (c.w + c.x) * config.width / 2
   private def screenY(c: Vector4d) = (c.w - c.y) * config.height / 2
   private val guards: Seq[Plane] = Seq(
-    c => Clipper.GuardBand * c.w - screenX(c),
-    c => Clipper.GuardBand * c.w + screenX(c),
-    c => Clipper.GuardBand * c.w - screenY(c),
-    c => Clipper.GuardBand * c.w + screenY(c)
+    c => guardBand * c.w - screenX(c),
+    c => guardBand * c.w + screenX(c),
+    c => guardBand * c.w - screenY(c),
+    c => guardBand * c.w + screenY(c)
   )
 
   /** The part of a triangle to draw, a convex polygon in the triangle's direction; empty where nothing is
@@ -68,8 +71,8 @@ final class Clipper(config: RasterConfig) {
 
 object Clipper {
 
-  /** Pixels from the top left corner of the screen; one step of 1/16 inside what the vertex format holds. */
-  val GuardBand: Double = (PackedVertex.MaxXy - 1) / 16.0
+  def guardBand(ranges: VertexRanges): Double = (ranges.maxXy - 1) / 16.0
+  val GuardBand: Double                       = guardBand(VertexRanges())
 
   /** The point a fraction f of the way from a to b; all attributes are linear in clip space. */
   def between(a: ClipVertex, b: ClipVertex, f: Double): ClipVertex = ClipVertex(

@@ -41,6 +41,10 @@ object Driver {
     val states = StateTable(scene, textures, options)
     for (state <- states.states; fault <- config.fixed.fault(state))
       throw InputError(s"${scene.place}: $fault, which this hardware was made without; build it for the scene (./sbt fit)")
+    val clear = TextureMemory.rgb565(options.background)
+    for (only <- config.clearColor if only != clear)
+      throw InputError(f"${scene.place}: the background is $clear%04x in RGB565, this hardware clears to $only%04x alone; " +
+        "build it for the scene (./sbt fit)")
     val clipped = clipTriangles(scene, camera, options, config, states)
     val scaled = scaleW(clipped)
     val viewport = new Viewport(config)
@@ -49,7 +53,7 @@ object Driver {
     val passes = regions.zipWithIndex.map { case ((region, triangles), i) =>
       val (vertices, indexed) = share(triangles)
       val number = (frame * regions.length + i) & 0xffff
-      FramePass(number, TextureMemory.rgb565(options.background), region, states.states, vertices, indexed)
+      FramePass(number, clear, region, states.states, vertices, indexed)
     }
     PreparedFrame(config, textures.uploads, passes, drawn.map(_._1), scene.triangles.length, drawn.length)
   }
@@ -128,8 +132,19 @@ object Driver {
       p.flatMap(_.fault)
         .headOption
         .foreach(fault => throw new IllegalStateException(s"driver: a vertex's $fault"))
+      reaches(turned, p, viewport.ranges).foreach(fault =>
+        throw InputError(s"a triangle: $fault, beyond what this hardware was made for; build it for the scene (./sbt fit)")
+      )
       (turned, PackedCorners(state, p(0), p(1), p(2), pixels))
     }
+  }
+
+  /** How a triangle goes beyond the ranges of hardware made for less. */
+  private def reaches(t: ClipTriangle, corners: Seq[PackedVertex], ranges: VertexRanges): Option[String] = {
+    val w = t.v.map(_.clip.w)
+    corners.flatMap(_.fault(ranges)).headOption.orElse(Option.when(
+      t.state.texture.isDefined && ranges.ratio < VertexRanges().ratio && w.max > w.min * (1 << ranges.ratio)
+    )(s"depths of ${w.min} to ${w.max} in a triangle"))
   }
 
   /** Gives every distinct vertex an index, in the order of first use. */

@@ -1,6 +1,6 @@
 package frustum.host
 
-import frustum.spec.{PackedVertex, RasterConfig}
+import frustum.spec.{PackedVertex, RasterConfig, VertexRanges}
 import org.joml.Vector4d
 import scala.math.round
 
@@ -8,6 +8,7 @@ import scala.math.round
   * far, everything rounded to nearest.
   */
 final class Viewport(config: RasterConfig) {
+  def ranges: VertexRanges = config.ranges
 
   /** Texture coordinates less `offset` whole repeats. w must lie in the declared domain. */
   def pack(v: ClipVertex, offset: (Int, Int)): PackedVertex = {

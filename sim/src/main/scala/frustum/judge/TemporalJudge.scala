@@ -2,7 +2,7 @@ package frustum.judge
 
 import frustum.host.{ClipTriangle, DrawOptions, Driver, RepeatRemoval, Viewport}
 import frustum.model.raster.{Rasterizer, ScreenFragments}
-import frustum.model.texture.PerspectiveDivide
+import frustum.model.texture.Divide
 import frustum.reference.raster.{ScreenVertex, TriangleAttributes}
 import frustum.scene.Scene
 import frustum.spec._
@@ -62,6 +62,7 @@ object TemporalJudge {
       bits: Int
   ): mutable.Map[(Int, Int, Int), (Double, Double)] = {
     val viewport     = new Viewport(config)
+    val divide       = Divide.of(config)
     val step         = 1 << 4 - bits
     def snap(v: Int) = (v + step / 2) / step * step
     val offsets      = triangles.map(RepeatRemoval.offset)
@@ -86,7 +87,7 @@ object TemporalJudge {
           for (texture <- triangles(n).state.texture) {
             val (truth, offset)                                       = (truths(n)(f.x, f.y), offsets(n))
             def off(plane: Int, exact: Double, whole: Int, size: Int) =
-              (PerspectiveDivide(plane, f.q) / 131072.0 - (exact - whole)) * size
+              (divide(plane, f.q) / 131072.0 - (exact - whole)) * size
             found((n, f.x, f.y)) =
               (off(f.s, truth.s, offset._1, texture.width), off(f.t, truth.t, offset._2, texture.height))
           }

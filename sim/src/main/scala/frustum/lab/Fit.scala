@@ -34,6 +34,7 @@ final class Fit(
   /** What there is to be saved. */
   private val knobs: Seq[Knob] = Seq(
     Option.when(states.exists(_.combine != Combine.ColorOnly))(Knob.coordinate),
+    Option.when(states.exists(_.combine != Combine.ColorOnly))(Knob.inverse),
     Option.when(features.options.depthTest && budget.primitivesWrong.isDefined)(Knob.depth),
     Option.when(states.exists(_.combine != Combine.Replace) && budget.flip.isDefined)(Knob.color)
   ).flatten
@@ -78,8 +79,11 @@ final class Fit(
   private def holds(views: Seq[View], formats: PlaneFormats): Boolean =
     views.forall(share(_, formats) <= Fit.Margin)
 
-  /** Formats with the most bits dropped that hold; knob by knob, from the one that saves most. */
-  private def search(views: Seq[View]): PlaneFormats =
+  /** Formats with the most bits dropped that hold; knob by knob, from the one that saves most, and then bit by bit as long as there is
+    * a knob that has one more: errors of one may make good for another's.
+    */
+  private def search(views: Seq[View]): PlaneFormats = furthered(
+    views,
     knobs.foldLeft(PlaneFormats()) { (formats, knob) =>
       def bisect(good: Int, bad: Int): Int =
         if (bad - good <= 1) good
@@ -87,8 +91,21 @@ final class Fit(
           val middle = (good + bad) / 2
           if (holds(views, knob.set(formats, middle))) bisect(middle, bad) else bisect(good, middle)
         }
-      knob.set(formats, bisect(0, knob.most + 1))
+      knob.set(formats, bisect(0, knob.most(formats) + 1))
     }
+  )
+
+  @annotation.tailrec
+  private def furthered(views: Seq[View], formats: PlaneFormats): PlaneFormats =
+    oneLess(formats).find { case (_, less) => holds(views, less) } match {
+      case Some((_, less)) => furthered(views, less)
+      case None            => formats
+    }
+
+  /** By each knob that can, a bit less. */
+  private def oneLess(formats: PlaneFormats): Seq[(Knob, PlaneFormats)] = knobs
+    .filter(k => k.get(formats) < k.most(formats))
+    .map(k => k -> k.set(formats, k.get(formats) + 1))
 
   /** A worse view than this, if a climb finds one. */
   private def climb(from: View, formats: PlaneFormats, r: Random): (View, Double) =
@@ -121,10 +138,7 @@ final class Fit(
       budget,
       trained = views.map(v => v -> errors(v, formats)),
       heldOut,
-      oneBitLess = knobs.filter(k => k.get(formats) < k.most).map { k =>
-        val less = k.set(formats, k.get(formats) + 1)
-        k.name -> views.map(share(_, less)).max
-      }
+      oneBitLess = oneLess(formats).map { case (k, less) => k.name -> views.map(share(_, less)).max }
     )
   }
   private def percent(share: Double) = f"${100 * share}%.0f %%"
@@ -133,15 +147,21 @@ final class Fit(
 /** A number of bits that can be saved. */
 private final case class Knob(
     name: String,
-    most: Int,
+    most: PlaneFormats => Int,
     get: PlaneFormats => Int,
     set: (PlaneFormats, Int) => PlaneFormats
 )
 private object Knob {
-  val coordinate: Knob =
-    Knob("coordinate", PlaneFormats.MostCoordinate, _.coordinate, (f, n) => f.copy(coordinate = n))
-  val depth: Knob = Knob("depth", PlaneFormats.MostDepth, _.depth, (f, n) => f.copy(depth = n))
-  val color: Knob = Knob("color", PlaneFormats.MostColor, _.color, (f, n) => f.copy(color = n))
+  val coordinate: Knob = Knob(
+    "coordinate",
+    f => PlaneFormats.MostCoordinate.min(PlaneFormats.MostInverse - f.inverse),
+    _.coordinate,
+    (f, n) => f.copy(coordinate = n)
+  )
+  val inverse: Knob =
+    Knob("inverse", PlaneFormats.MostInverse - _.coordinate, _.inverse, (f, n) => f.copy(inverse = n))
+  val depth: Knob = Knob("depth", _ => PlaneFormats.MostDepth, _.depth, (f, n) => f.copy(depth = n))
+  val color: Knob = Knob("color", _ => PlaneFormats.MostColor, _.color, (f, n) => f.copy(color = n))
 }
 
 object Fit {

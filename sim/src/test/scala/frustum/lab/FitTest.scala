@@ -43,7 +43,7 @@ class FitTest extends AnyFunSuite {
         s"$side, seed $seed"
       )
       assert(
-        result.oneBitLess.map(_._1) == Seq("coordinate") && result.oneBitLess.forall(_._2 > Fit.Margin),
+        result.oneBitLess.map(_._1) == Seq("coordinate", "inverse") && result.oneBitLess.forall(_._2 > Fit.Margin),
         result.oneBitLess
       )
       result.features.config.formats.coordinate

@@ -59,6 +59,18 @@ class CommandLinkTest extends AnyFunSuite {
     run(sim, config, traffic(config, 5, 20), 5, 0.2)
   }
 
+  test("and for hardware made for one scene: what goes beyond its ranges, state and clear colour is refused") {
+    val config = small.copy(
+      maxVertices = 32,
+      maxTriangles = 16,
+      fixed = FixedState.of(RenderState(Some(TextureRef(0, 5, 5, TexelFormat.Rgb565)), combine = Combine.Replace)),
+      ranges = VertexRanges(position = 8, repeats = 1, ratio = 1),
+      clearColor = Some(0x7e21)
+    )
+    val sim = FrustumSim.compile("CommandLink_scene")(CommandLinkTop(config, dropWhenFull = false))
+    for ((stall, seed) <- Seq((0.0, 6), (0.3, 7))) run(sim, config, traffic(config, seed, 30), seed, stall)
+  }
+
   test("a byte flipped, lost or added anywhere costs one command at most and is counted") {
     val t = new LinkTraffic(small, new Random(5))
     val commands = Seq(

@@ -15,7 +15,7 @@ case class CommandLinkTop(config: RasterConfig, dropWhenFull: Boolean) extends C
     val bytes   = slave(Stream(Bits(8 bits)))
     val rival   = slave(StoreBus(layout))
     val texels  = master(Stream(TexelWrite()))
-    val job     = master(Stream(FrameJob()))
+    val job     = master(Stream(FrameJob(config)))
     val jobDone = in Bool ()
     val status  = out(LinkStatus())
   }

@@ -9,14 +9,18 @@ final class LinkTraffic(config: RasterConfig, random: Random) {
   private def oneIn(n: Int) = random.nextInt(n) == 0
   private def pick[A](values: A*): A = values(random.nextInt(values.length))
 
+  private def clearColor(): Int = config.clearColor.filterNot(_ => oneIn(6)).getOrElse(random.nextInt(65536))
+
   def vertex(): Seq[Int] = {
+    val (most, mostSt) = (config.ranges.maxXy, config.ranges.maxSt)
     def coordinate(pixels: Int) =
-      if (oneIn(6)) pick(16383, -16383, 0, 8, 7, 9, -8, 16 * pixels, 16 * pixels - 8, 16 * pixels - 9, 16 * pixels + 8)
-      else if (oneIn(40)) pick(-16384, 16384, 32767, -32768)
+      if (oneIn(6)) pick(most, -most, 0, 8, 7, 9, -8, 16 * pixels, 16 * pixels - 8, 16 * pixels - 9, 16 * pixels + 8)
+      else if (oneIn(40)) pick(-most - 1, most + 1, 32767, -32768)
       else random.nextInt(16 * pixels * 2) - 8 * pixels
     def texture() =
-      if (oneIn(8)) pick(0, 1 << 24, -(1 << 24), (1 << 24) - 1, -(1 << 24) + 1, -(1 << 24) - 1, 1 << 25, -(1 << 26), 65536)
-      else random.nextInt(1 << 25) - (1 << 24)
+      if (oneIn(8)) pick(0, mostSt + 1, -mostSt - 1, 1 << 24, -(1 << 24), 1 << 25, -(1 << 26), 65536)
+      else if (oneIn(6)) pick(mostSt, -mostSt)
+      else random.between(-mostSt, mostSt + 1)
     val mantissa = if (oneIn(30)) random.nextInt(65536) else 32768 + random.nextInt(32768)
     val (s, t)   = (texture(), texture())
     Seq(
@@ -44,8 +48,15 @@ final class LinkTraffic(config: RasterConfig, random: Random) {
   def fill(): Seq[Int] = {
     val vertex   = PackedVertex(0, 0, 0, 32768, 0, 0, 0, 0, 0, 0, 0).words
     val vertices = (0 until config.maxVertices).grouped(11).map(g => (Command.Vertices, g.head +: g.flatMap(_ => vertex)))
-    val one      = (Command.Begin, Seq(127, 0, 0, 0)) +: vertices.toSeq :+ ((Command.Draw, Seq(config.maxVertices, 0)))
+    val one      = (Command.Begin, Seq(127, config.clearColor.getOrElse(0), 0, 0)) +: vertices.toSeq :+ ((Command.Draw, Seq(config.maxVertices, 0)))
     bytes(one ++ one, errors = false)
+  }
+
+  /** Of every other one all bits are as hardware has them that are constant there. */
+  private def state(): Seq[Int] = {
+    val word = random.nextInt()
+    val made = if (oneIn(2)) word & ~config.fixed.mask | config.fixed.value else word
+    Seq(made & 0xffff, made >>> 16)
   }
 
   /** One frame as (command, payload). */
@@ -62,7 +73,7 @@ final class LinkTraffic(config: RasterConfig, random: Random) {
       (Command.Triangles, (if (oneIn(15)) random.nextInt(65536) else random.nextInt(16)) +: Seq.fill(n)(indices(first)).flatten)
     }
     val states = Seq.fill(random.nextInt(4))(
-      (Command.State, Seq(if (oneIn(10)) random.nextInt(65536) else random.nextInt(16), random.nextInt(65536), random.nextInt(65536)))
+      (Command.State, (if (oneIn(10)) random.nextInt(65536) else random.nextInt(16)) +: state())
     )
     val texels = Seq.fill(random.nextInt(2)) {
       val blocks = config.textureTexels / 16
@@ -71,7 +82,7 @@ final class LinkTraffic(config: RasterConfig, random: Random) {
     }
     val sentTriangles = if (oneIn(5)) random.nextInt(100) else groups.sum
     val draw  = Seq((Command.Draw, Seq(counts.sum, sentTriangles)))
-    val begin = Seq((Command.Begin, Seq(number, random.nextInt(65536)) ++ region()))
+    val begin = Seq((Command.Begin, Seq(number, clearColor()) ++ region()))
     (if (oneIn(12)) Nil else begin) ++ random.shuffle(states ++ texels) ++ vertices ++ triangles ++
       (if (oneIn(12)) Nil else draw)
   }

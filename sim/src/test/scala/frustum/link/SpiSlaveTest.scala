@@ -20,7 +20,7 @@ case class SpiLinkTop(config: RasterConfig) extends Component {
     val cts     = out Bool ()
     val rival   = slave(StoreBus(StoreLayout(config)))
     val texels  = master(Stream(TexelWrite()))
-    val job     = master(Stream(FrameJob()))
+    val job     = master(Stream(FrameJob(config)))
     val jobDone = in Bool ()
   }
   val spi  = SpiSlave()

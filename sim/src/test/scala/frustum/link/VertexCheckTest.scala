@@ -1,7 +1,7 @@
 package frustum.link
 
 import frustum.harness.FrustumSim
-import frustum.spec.PackedVertex
+import frustum.spec.{PackedVertex, VertexRanges}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 
@@ -10,13 +10,19 @@ import scala.util.Random
 class VertexCheckTest extends AnyFunSuite {
   private val seed = 15
 
-  test("refuses what the vertex's own rule refuses, as soon as it is known") {
-    FrustumSim.compile("VertexCheck")(VertexCheck()).doSim(seed) { dut =>
+  for (ranges <- Seq(VertexRanges(), VertexRanges(position = 9, repeats = 1), VertexRanges(position = 4, repeats = 0),
+      VertexRanges(position = 6, repeats = 5)))
+    test(s"$ranges: refuses what the vertex's own rule refuses, as soon as it is known") {
+    FrustumSim.compile("VertexCheck")(VertexCheck(ranges)).doSim(seed) { dut =>
       val r     = new Random(seed)
       val good  = PackedVertex(0, 0, 0, 32768, 0, 0, 0, 0, 0, 0, 0).words
       val edges = Seq(0, 1, 0x3f, 0x40, 0x7f, 0x80, 0x3fff, 0x4000, 0x4001, 0x7fff, 0x8000, 0x8001, 0xbfff,
         0xc000, 0xc001, 0xffff)
-      val vertices =
+      // what is just within the ranges and just beyond
+      val near = for (m <- Seq(ranges.maxXy, ranges.maxXy + 1, ranges.maxSt, ranges.maxSt + 1); v <- Seq(m, -m);
+        w <- Seq(0, 1, 4, 6)) yield if (w < 2) good.updated(w, v & 0xffff)
+        else good.updated(w, v >> 16 & 0x7ff).updated(w + 1, v & 0xffff)
+      val vertices = near ++
         // each word at its limits, each pair of texture words at theirs
         (for (w <- 0 until PackedVertex.WireWords; v <- edges) yield good.updated(w, v)) ++
           (for (w <- Seq(4, 6); high <- 0 to 0x7ff; low <- Seq(0, 1, 0xffff))
@@ -24,7 +30,12 @@ class VertexCheckTest extends AnyFunSuite {
           Seq.fill(3000)(good.map(w =>
             if (r.nextInt(8) == 0) edges(r.nextInt(edges.size))
             else if (r.nextBoolean()) r.nextInt(65536) else w
-          ))
+          )) ++
+          Seq.fill(2000) {
+            def within(most: Int) = r.between(-most, most + 1)
+            PackedVertex(within(ranges.maxXy), within(ranges.maxXy), r.nextInt(65536), r.between(32768, 65536), r.nextInt(32),
+              within(ranges.maxSt), within(ranges.maxSt), r.nextInt(256), r.nextInt(256), r.nextInt(256), r.nextInt(256)).words
+          }
 
       dut.io.clear #= false
       dut.io.word.valid #= false
@@ -34,7 +45,7 @@ class VertexCheckTest extends AnyFunSuite {
       def judge(v: Seq[Int], i: Int, n: Int): Unit = {
         // what is still to come is taken to be good; half a texture coordinate tells nothing of its lowest value
         val known  = if (i % 2 == 0 && i > 1) i else i + 1
-        val should = PackedVertex.decode(v.take(known) ++ good.drop(known)).fault.isDefined
+        val should = PackedVertex.decode(v.take(known) ++ good.drop(known)).fault(ranges).isDefined
         val fault  = dut.io.fault.toBoolean
         def where  = s"seed $seed vertex $n, word $i of ${v.map(w => f"$w%04x").mkString(" ")}"
         if (i % 2 == 1) assert(fault == should, where) else assert(!should || fault, where)

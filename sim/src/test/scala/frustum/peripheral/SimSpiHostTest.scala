@@ -18,7 +18,7 @@ case class SimSpiHostTop(config: RasterConfig, halfPeriod: Int) extends Componen
   val io = new Bundle {
     val rival   = slave(StoreBus(StoreLayout(config)))
     val texels  = master(Stream(TexelWrite()))
-    val job     = master(Stream(FrameJob()))
+    val job     = master(Stream(FrameJob(config)))
     val jobDone = in Bool ()
     val bytes   = in UInt (15 bits)
     val sent    = out UInt (15 bits)

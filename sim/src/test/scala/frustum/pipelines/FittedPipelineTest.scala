@@ -3,8 +3,11 @@ package frustum.pipelines
 import frustum.InputError
 import frustum.engine.{EngineOptions, Engines, PipelineEngine}
 import frustum.host.{DrawOptions, Driver}
-import frustum.scene.{Material, Scene, Scenes}
+import frustum.lab.FitFeatures
+import frustum.scene.{Camera, Material, Scene, Scenes}
 import frustum.spec._
+import frustum.texture.LateDivide
+import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 
 /** Hardware made for less than everything: it draws what its model draws, what it can draw it draws as the whole does, and the rest
@@ -53,6 +56,45 @@ class FittedPipelineTest extends AnyFunSuite {
     assert(images("pipeline", scene, config, depthTest) == model, s"seed $seed")
     if (formats == PlaneFormats())
       assert(model == images("model", scene, small, depthTest), "the full pipeline draws another picture")
+  }
+
+  for (
+    (name, formats) <- Seq(
+      "cube"    -> PlaneFormats(4, inverse = 5),
+      "cube"    -> PlaneFormats(),
+      "terrain" -> PlaneFormats(2),
+      "floor"   -> PlaneFormats()
+    )
+  )
+    test(s"all that inspection of $name finds, $formats: hardware equals model") {
+      val scene    = Scenes.byName(name)
+      val features = FitFeatures(scene, small, options(scene))
+      val config   = features.config.copy(formats = formats)
+      val depth    = features.options.depthTest
+      assert(name != "cube" || LateDivide.suits(config) && config.fixed.whole && config.maxVertices == 32, config)
+      assert(config.clearColor.nonEmpty)
+      val model = images("model", scene, config, depth)
+      assert(images("pipeline", scene, config, depth) == model, s"seed $seed")
+      if (formats == PlaneFormats()) {
+        val full      = images("model", scene, small, depth)
+        val different = model.zip(full).map { case (a, b) => a.indices.count(i => a(i) != b(i)) }.sum
+        assert(different <= 0.001 * model.map(_.length).sum, s"$different pixels are not as the full pipeline has them")
+      }
+    }
+
+  test("the driver refuses vertices, depths and backgrounds that hardware was made without") {
+    val cube                          = Scenes.cube
+    val fitted                        = FitFeatures(cube, small, options(cube)).config
+    def refused(s: Scene, camera: Camera) =
+      intercept[InputError](Driver.prepare(s, camera, options(s, depthTest = false), fitted, 0)).message
+    assert(refused(cube.copy(background = 0xffffff), cube.camera).contains("background"))
+    val eye  = new Vector3d(cube.camera.eye)
+    val near = cube.camera.copy(eye = eye.mul(0.4), near = 0.1)
+    assert(refused(cube, near).contains("depths of"))
+    val repeated = cube.copy(triangles = cube.triangles.map(t =>
+      t.copy(v0 = t.v0.copy(s = 3 * t.v0.s), v1 = t.v1.copy(s = 3 * t.v1.s), v2 = t.v2.copy(s = 3 * t.v2.s))
+    ))
+    assert(refused(repeated, cube.camera).contains("texture coordinate"))
   }
 
   test("bits that planes go without change the picture") {

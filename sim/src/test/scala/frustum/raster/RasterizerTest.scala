@@ -22,7 +22,7 @@ import scala.util.Random
 case class RasterizerBench(config: RasterConfig, slots: Int, latency: Int) extends Component {
   val layout = StoreLayout(config)
   val io = new Bundle {
-    val frame = slave Stream (FrameJob())
+    val frame = slave Stream (FrameJob(config))
     val tile  = master Stream (TilePosition())
     val state = out(RenderStateWord())
     val down  = master Stream (InterpolatedFragment(config))

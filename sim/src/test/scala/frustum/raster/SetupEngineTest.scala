@@ -16,7 +16,7 @@ class SetupEngineTest extends AnyFunSuite {
       dut.clockDomain.forkStimulus(10)
       dut.clockDomain.waitSampling(20)
       for ((word, value) <- SetupWords.constants + (SetupWords.Nothing -> 0)) {
-        dut.io.read #= SetupWords.code(word)
+        dut.io.read #= SetupWords.code(word, SetupWords.AllPlanes)
         dut.clockDomain.waitSampling(2)
         assert(dut.io.readData.toInt == value, s"word $word, boot seed $boot")
       }

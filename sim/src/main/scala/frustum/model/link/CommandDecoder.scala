@@ -44,7 +44,7 @@ final class CommandDecoder(config: RasterConfig) {
 
   private def begin(w: Seq[Int]): Boolean = {
     val Seq(x0, x1, y0, y1) = w.drop(2).flatMap(v => Seq(v >> 8, v & 255))
-    open = x0 <= x1 && x1 < config.tilesX && y0 <= y1 && y1 < config.tilesY
+    open = config.clearColor.forall(_ == w(1)) && x0 <= x1 && x1 < config.tilesX && y0 <= y1 && y1 < config.tilesY
     tag = w(0) & 127
     clearColor = w(1)
     region = TileRegion(x0, y0, x1, y1)
@@ -57,7 +57,7 @@ final class CommandDecoder(config: RasterConfig) {
   private def writeState(w: Seq[Int]): Boolean = {
     val word    = w(2) << 16 | w(1)
     val inRange = w(0) < RenderState.Count && ((word ^ config.fixed.value) & config.fixed.mask) == 0
-    if (inRange) banks(bank)(layout.states + w(0)) = pair(w(1), w(2))
+    if (inRange && !config.fixed.whole) banks(bank)(layout.states + w(0)) = pair(w(1), w(2))
     inRange
   }
 
@@ -87,7 +87,7 @@ final class CommandDecoder(config: RasterConfig) {
 
   /** Whether the first `known` words of a vertex suffice to refuse it: what is not known is taken to be in range. */
   private def outOfRange(v: Seq[Int], known: Int): Boolean =
-    PackedVertex.decode(v.take(known) ++ Seq(0, 0, 0, 0x8000, 0, 0, 0, 0, 0, 0).drop(known)).fault.isDefined
+    PackedVertex.decode(v.take(known) ++ Seq(0, 0, 0, 0x8000, 0, 0, 0, 0, 0, 0).drop(known)).fault(config.ranges).isDefined
 
   private def writeTriangles(state: Int, w: Seq[Int]): Boolean = {
     val inRange = state < RenderState.Count

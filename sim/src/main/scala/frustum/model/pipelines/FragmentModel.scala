@@ -1,7 +1,7 @@
 package frustum.model.pipelines
 
 import frustum.model.fragment.{Blend, Combine, DepthTest, Fragment}
-import frustum.model.texture.{PerspectiveDivide, TextureUnit}
+import frustum.model.texture.{Divide, TextureUnit}
 import frustum.spec.{RasterConfig, RenderState, TexelFormat, TextureRef}
 import frustum.spec.{Combine => CombineMode}
 
@@ -13,6 +13,7 @@ import frustum.spec.{Combine => CombineMode}
   */
 final class FragmentModel(config: RasterConfig, texels: Array[Int]) {
   private val words = config.tileWidth * config.tileHeight
+  private val divide = Divide.of(config)
 
   /** The tile, row by row from the top, RGB565. */
   val color: Array[Int] = new Array[Int](words)
@@ -68,12 +69,12 @@ final class FragmentModel(config: RasterConfig, texels: Array[Int]) {
   }
 
   private def fetch(f: Fragment): Int = {
-    val exponent = PerspectiveDivide.exponent(f.q)
-    val reciprocal = PerspectiveDivide.reciprocal(f.q, exponent)
+    val exponent = divide.exponent(f.q)
+    val reciprocal = divide.reciprocal(f.q, exponent)
     val s =
-      TextureUnit.index(PerspectiveDivide.quotient(f.s, exponent, reciprocal), state.wrapS, texture.log2Width)
+      TextureUnit.index(divide.quotient(f.s, exponent, reciprocal), state.wrapS, texture.log2Width)
     val t = TextureUnit.index(
-      PerspectiveDivide.quotient(f.t, exponent, reciprocal),
+      divide.quotient(f.t, exponent, reciprocal),
       state.wrapT,
       texture.log2Height
     )

@@ -4,11 +4,13 @@ import frustum.FragmentProbe
 import frustum.engine.PassRenderer
 import frustum.model.fragment.Fragment
 import frustum.model.raster.{FragmentSink, Rasterizer}
-import frustum.model.texture.TextureUnit
+import frustum.model.texture.{Divide, TextureUnit}
 import frustum.spec.{Combine, FramePass, RasterConfig, RenderState}
 
 /** Bit-exact raster pipeline: a pass to pixels, as [[frustum.pipelines.RasterPipeline]] draws it. */
 final class RasterModel(config: RasterConfig) extends PassRenderer {
+  private val divide = Divide.of(config)
+
   def draw(pass: FramePass, memory: Array[Int], into: Array[Int], probe: Option[FragmentProbe]): Unit = {
     val stages = new FragmentModel(config, memory)
     val f      = new Fragment
@@ -22,7 +24,7 @@ final class RasterModel(config: RasterConfig) extends PassRenderer {
       def fragment(n: Int, state: RenderState, x: Int, y: Int, s: Int, t: Int, q: Int, z: Int, r: Int, g: Int, b: Int, a: Int): Unit = {
         f.x = x; f.y = y; f.s = s; f.t = t; f.q = q; f.z = z; f.r = r; f.g = g; f.b = b; f.a = a
         probe.foreach { p =>
-          val texel = if (state.combine == Combine.ColorOnly) 0 else TextureUnit.texel(s, t, q, state)
+          val texel = if (state.combine == Combine.ColorOnly) 0 else TextureUnit.texel(divide, s, t, q, state)
           p.fragment(n, originX + x, originY + y, texel & 255, texel >> 8, Fragment.depth(z))
         }
         stages.draw(f, state)

@@ -16,6 +16,7 @@ trait FragmentSink {
 /** Bit-exact rasterizer: tiles of the region row by row, in each the triangles in order, in each the spans to and fro. */
 final case class Rasterizer(config: RasterConfig) {
   import config.formats.cut
+  import config.ranges.wrap
 
   def draw(pass: FramePass, sink: FragmentSink): Unit = {
     val setups = pass.triangles.map { t =>
@@ -47,7 +48,7 @@ final case class Rasterizer(config: RasterConfig) {
             def plane(p: Int) =
               cut(p, setup.initial(p)) + (x - first.first) * cut(p, setup.gradientX(p)) + (span.y - first.y) * cut(p, setup.gradientY(p))
             sink.fragment(
-              n, state, x - originX, span.y - originY, plane(PlaneS), plane(PlaneT), plane(PlaneQ), plane(PlaneZ),
+              n, state, x - originX, span.y - originY, wrap(plane(PlaneS)), wrap(plane(PlaneT)), plane(PlaneQ), plane(PlaneZ),
               plane(PlaneR).toShort.toInt, plane(PlaneG).toShort.toInt, plane(PlaneB).toShort.toInt, plane(PlaneA).toShort.toInt
             )
           }

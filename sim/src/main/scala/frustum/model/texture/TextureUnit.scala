@@ -18,12 +18,12 @@ object TextureUnit {
   }
 
   /** The texel read for a fragment, `texelT << 8 | texelS`; the state must have a texture. */
-  def texel(s: Int, t: Int, q: Int, state: RenderState): Int = {
+  def texel(divide: Divide, s: Int, t: Int, q: Int, state: RenderState): Int = {
     val texture = state.texture.get
-    val exponent = PerspectiveDivide.exponent(q)
-    val reciprocal = PerspectiveDivide.reciprocal(q, exponent)
-    index(PerspectiveDivide.quotient(t, exponent, reciprocal), state.wrapT, texture.log2Height) << 8 |
-      index(PerspectiveDivide.quotient(s, exponent, reciprocal), state.wrapS, texture.log2Width)
+    val exponent = divide.exponent(q)
+    val reciprocal = divide.reciprocal(q, exponent)
+    index(divide.quotient(t, exponent, reciprocal), state.wrapT, texture.log2Height) << 8 |
+      index(divide.quotient(s, exponent, reciprocal), state.wrapS, texture.log2Width)
   }
 
   def address(texelS: Int, texelT: Int, base: Int, log2Width: Int): Int =

@@ -2,10 +2,9 @@ package frustum.reference.raster
 
 import frustum.OutputFile
 import frustum.spec.{FramePass, RasterConfig, RenderState}
-import java.io.{ByteArrayInputStream, ByteArrayOutputStream}
 import java.nio.file.{Files, Path}
 import java.util.Locale
-import scala.sys.process._
+import scala.sys.process.{ProcessLogger, stringSeqToProcess}
 
 /** Mesa's llvmpipe, off-screen, as a referee: another renderer, in float32, that snaps to 1/256 pixel, so that our vertices, on
   * 1/16, are on its grid as well.
@@ -35,23 +34,28 @@ final class Mesa(program: Path) {
     }
     def flag(b: Boolean) = if (b) 1 else 0
     val size  = s"${config.width} ${config.height} ${flag(textured)} ${flag(depth)} ${pass.triangles.length}"
-    val input = (size +: lines).mkString("\n")
-    val out   = new ByteArrayOutputStream
-    val about = new StringBuilder
-    val run   =
-      Process(
-        Seq(program.toString),
-        None,
-        "GALLIUM_DRIVER" -> "llvmpipe"
-      ) #< new ByteArrayInputStream(input.getBytes) #> out
-    val code = run.!(ProcessLogger(_ => (), line => about ++= line))
-    if (code != 0 || !about.toString.contains("llvmpipe"))
-      throw new IllegalStateException(s"Mesa ended with $code and said: $about")
-    val bytes = out.toByteArray
+    val bytes = run((size +: lines).mkString("\n"))
     Array.tabulate(config.width * config.height) { i =>
       val at = 4 * ((config.height - 1 - i / config.width) * config.width + i % config.width)
       (0 until 3).foldLeft(0)((c, k) => c << 8 | bytes(at + k) & 255)
     }
+  }
+
+  /** By files, because pipes of scala.sys.process lose the last kilobyte at times. */
+  private def run(input: String): Array[Byte] = {
+    val files                 = Seq("in", "out", "err").map(Files.createTempFile("mesa", _))
+    val Seq(from, to, errors) = files
+    try {
+      Files.writeString(from, input)
+      val builder = new ProcessBuilder(program.toString)
+      builder.environment.put("GALLIUM_DRIVER", "llvmpipe")
+      val code =
+        builder.redirectInput(from.toFile).redirectOutput(to.toFile).redirectError(errors.toFile).start().waitFor()
+      val about = Files.readString(errors)
+      if (code != 0 || !about.contains("llvmpipe"))
+        throw new IllegalStateException(s"Mesa ended with $code and said: $about")
+      Files.readAllBytes(to)
+    } finally files.foreach(Files.delete)
   }
 
   private def words(s: RenderState): String = {
