@@ -89,35 +89,14 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
     val takenTo  = ofInputs(Vec(inputs.map(i => B(i.address, addressBits bits))).read(n))
   }
 
-  /** The adder: `first` waits for the second operand, which comes from the memory. */
-  val alu = new Area {
-    val first     = Reg(UInt(digitBits bits))
-    val shiftedIn = Reg(Bool()) // what the digit below gives when doubled
-    val carry     = Reg(Bool())
-    val bit       = Reg(Bool()) // of the multiplier
-    val subtract  = Mux(multiplying, due.top, op === RayStep.Subtract)
-    val doubled   = Mux(multiplying, (first ## shiftedIn).asUInt.resize(digitBits), first)
-    val gate      = !multiplying || bit
-    val second    =
-      (due.digit.asUInt & U(digitBits bits, default -> gate)) ^ U(digitBits bits, default -> subtract)
-    val sum = (doubled +^ second) + carry.asUInt
-    when(due.start)(carry := op === RayStep.Subtract)
-    when(due.bit) {
-      bit       := due.digit(due.bitAt)
-      carry     := due.top
-      shiftedIn := False
-    }
-    when(due.first) {
-      first                               := due.digit.asUInt
-      when(multiplying && due.top)(first := 0)
-    }
-    when(due.second) {
-      carry     := sum.msb
-      shiftedIn := first.msb
-    }
-  }
+  val adder = new RayDigitAdder(multiplying, op === RayStep.Subtract, due.digit, due.bitAt, due.top)(
+    due.start,
+    due.bit,
+    due.first,
+    due.second
+  )
   val writeAddress = CombInit(to)
-  val writeData    = CombInit(alu.sum.resize(digitBits).asBits)
+  val writeData    = CombInit(adder.sum.resize(digitBits).asBits)
   if (inputs.nonEmpty) when(due.take) {
     writeAddress := due.takenTo.asUInt
     writeData    := due.taken
