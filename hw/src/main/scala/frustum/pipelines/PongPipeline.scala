@@ -51,8 +51,10 @@ case class PongPipelineConfig(
 
 /** 3-D pong to a monitor, one pixel a clock: buttons, game, ray caster, score, dither. What is drawn changes in the
   * vertical blank alone; `video` is registered and comes `latencyClocks` after the scanner's position.
+  *
+  * @param fast whether the ray caster has more registers, for a higher clock
   */
-case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic) extends Component {
+case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic, fast: Boolean = false) extends Component {
   import config.{format, mode, scene}
   val io = new Bundle {
     val buttons = in(PongButtons()) // high = pressed, asynchronous, bouncing
@@ -69,7 +71,7 @@ case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic) e
   game.io.tick := RegNext(frames.willOverflow) init False
   game.io.buttons.assignFromBits(buttons.io.held)
 
-  val ray            = RayPipeline(RayConfig(scene, mode), tech)
+  val ray            = RayPipeline(RayConfig(scene, mode, fast), tech)
   private val ticked = PongGame.TickClocks + 2 // clocks until a tick that `frameEnd` starts is done
   ray.io.latch                                  := Delay(scanner.io.frameEnd, ticked, init = False)
   ray.io.line                                   := scanner.io.line

@@ -8,28 +8,34 @@ import spinal.core._
   * `load` fills the registers between rows, by the adders that are there already: `clear` sets them to their start value
   * if that is a constant, to 0 otherwise, and what comes is added up to its place. So no register needs a multiplexer beside
   * its adder, and a constant difference needs no register; it shares the adder's operand with the words.
+  *
+  * @param fast whether words are taken a clock after they come
   */
-case class FormWalker(form: RayForm, program: RayProgram) extends Component {
+case class FormWalker(form: RayForm, program: RayProgram, fast: Boolean = false) extends Component {
   import form.{loaded, registers, start}
   val io = new Bundle {
     val load  = in(RayRowLoad(program))
     val step  = in Bool ()
     val value = out SInt (form.width bits)
   }
-  private def at(i: Int)         = io.load.valid && io.load.index === form.first + i
-  private val word               = io.load.data.asSInt.resize(form.width)
+  private def late[T <: Data](that: T): T = if (fast) RegNext(that) else that
+
+  private def at(i: Int)         = late(io.load.valid && io.load.index === form.first + i)
+  private val loading            = late(io.load.valid)
+  private val clear              = late(io.load.clear)
+  private val word               = late(io.load.data.asSInt.resize(form.width))
   private def constant(i: Int)   = wrapped(start(i).getOrElse(BigInt(0)))
   private def wrapped(v: BigInt) = {
     val modulo = v & ((BigInt(1) << form.width) - 1)
     S(if (modulo.testBit(form.width - 1)) modulo - (BigInt(1) << form.width) else modulo, form.width bits)
   }
-  private def wordOr(difference: Int) = Mux(io.load.valid, word, constant(difference))
+  private def wordOr(difference: Int) = Mux(loading, word, constant(difference))
 
   /** A register that adds `by` when `moves`, and what it is after `clear` (and `again`). */
   private def sum(moves: Bool, by: SInt, first: SInt, again: Bool = False): SInt = {
     val r                  = Reg(SInt(form.width bits))
     when(moves)(r                  := r + by)
-    when(io.load.clear || again)(r := first)
+    when(clear || again)(r := first)
     r
   }
   private val zero                    = S(0, form.width bits)

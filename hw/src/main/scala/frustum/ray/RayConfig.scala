@@ -2,13 +2,16 @@ package frustum.ray
 
 import frustum.spec.{RayProgram, RayScene, RayShade, VideoMode}
 
-/** A ray caster for one scene on one raster. */
-case class RayConfig(scene: RayScene, mode: VideoMode) {
+/** A ray caster for one scene on one raster.
+  *
+  * @param fast more registers, for a higher clock where they cost little
+  */
+case class RayConfig(scene: RayScene, mode: VideoMode, fast: Boolean = false) {
   val program: RayProgram = RayProgram(scene, mode.width, mode.height)
 
   /** The smallest set-up that is ready in time; if none is, the fastest, which is then refused with its figures. */
   val setup: RaySetupTiming = {
-    val all = RaySetupTiming.Digits.map(RaySetupTiming(program, _))
+    val all = RaySetupTiming.Digits.map(RaySetupTiming(program, _, fast))
     all.find(t =>
       t.frameClocks <= frameLimit && t.lineClocks + t.rowClocks <= mode.hTotal - RayConfig.Latency
     )

@@ -65,7 +65,7 @@ case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Com
       shadeStart + (if (isA("towards")) s.towardsAge else if (isA("lit")) s.litAge else s.squareAge)
     }
   }
-  val walkers = new RayWalkers(program, setup.io.load, line, node)
+  val walkers = new RayWalkers(config, setup.io.load, line, node)
   val walls   = new WallTest(scene, walkers, line, wallStart)
   val shadow  = new ShadowTest(scene, walkers, line, walls, wallStart)
   val cells   = new SurfaceCells(scene, walkers, line, walls, wallStart)

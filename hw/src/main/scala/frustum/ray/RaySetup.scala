@@ -11,6 +11,9 @@ import spinal.lib.fsm._
   * `latch` takes the inputs, which must stay for `takeClocks`, and makes the frame's coefficients, `frameClocks` long. `line`
   * gives the words of the row to come, one a clock, in `lineClocks`, then moves the state on to the next row in `rowClocks`,
   * see [[RaySetupTiming]]. A `line` or `latch` while busy cuts off what runs.
+  *
+  * Where the timing is `fast`, instruction, digit that is read and sum are registered: the adder works a clock behind the states,
+  * the memory is written two behind, and a step waits until the one before has written.
   */
 case class RaySetup(timing: RaySetupTiming) extends Component {
   import timing._
@@ -26,6 +29,7 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
   private val bitBits     = log2Up(width)
   private val digitLog    = log2Up(digitBits)
   private val steps       = frame ++ row
+  private def late[T <: Data](that: T): T = if (fast) RegNext(that) else that
   require(!row.exists(_.op == RayStep.Multiply), "a row's steps are additions")
 
   private def digit(v: BigInt, d: Int) = v >> (d * digitBits) & ((BigInt(1) << digitBits) - 1)
@@ -46,7 +50,7 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
       .foldLeft(BigInt(0)) { case (word, (v, bits)) => word << bits | v }
   val steprom     = Mem(Bits(2 + bitBits + 3 * addressBits bits), steps.size).initBigInt(steps.map(encoded))
   val pc, end     = Reg(UInt(log2Up(steps.size + 1) bits))
-  val instruction = steprom.readSync(pc.resize(log2Up(steps.size)))
+  val instruction = late(steprom.readSync(pc.resize(log2Up(steps.size))))
   private def address(place: Int) = instruction(place * addressBits, addressBits bits).asUInt
   private val (b, a, to)          = (address(0), address(1), address(2))
   private val topBit              = instruction(3 * addressBits, bitBits bits).asUInt
@@ -64,56 +68,71 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
   val readAddress = CombInit(a)
   val read        = columns.map(_.readSync(readAddress)).reverse.reduce(_ ## _)
 
-  /** The adder: `first` waits for the second operand, which comes from the memory. */
-  val alu = new Area {
-    val first     = Reg(UInt(digitBits bits))
-    val shiftedIn = Reg(Bool()) // what the digit below gives when doubled
-    val carry     = Reg(Bool())
-    val bit       = Reg(Bool()) // of the multiplier
-    val top       = Reg(Bool()) // the highest, which counts negative
-    val subtract  = Mux(multiplying, top, op === RayStep.Subtract)
-    val doubled   = Mux(multiplying, (first ## shiftedIn).asUInt.resize(digitBits), first)
-    val gate      = !multiplying || bit
-    val second    =
-      (digitOf(read).asUInt & U(digitBits bits, default -> gate)) ^ U(digitBits bits, default -> subtract)
-    val sum = (doubled +^ second) + carry.asUInt
+  /** What the state's word is for, and when its digit has come. */
+  val now = new Area {
+    val start, bit, first, second, take = False
+    val top                             = Reg(Bool()) // the multiplier's highest bit, which counts negative
   }
-  val writing      = False
+  val due = new Area {
+    val start    = late(now.start)
+    val bit      = late(now.bit)
+    val first    = late(now.first)
+    val second   = late(now.second)
+    val take     = late(now.take)
+    val top      = late(now.top)
+    val at       = late(place)
+    val bitAt    = late(bitPlace.resize(digitLog))
+    val digit    = late(digitOf(read))
+    private val n = count.resize(log2Up(inputs.size.max(2)))
+    private def ofInputs(f: => Bits) = if (inputs.isEmpty) B(0, 0 bits) else late(f)
+    val taken    = ofInputs(digitOf(Vec(io.inputs.map(_.resize(width).asBits)).read(n)))
+    val takenTo  = ofInputs(Vec(inputs.map(i => B(i.address, addressBits bits))).read(n))
+  }
+
+  val adder = new RayDigitAdder(multiplying, op === RayStep.Subtract, due.digit, due.bitAt, due.top)(
+    due.start,
+    due.bit,
+    due.first,
+    due.second
+  )
   val writeAddress = CombInit(to)
-  val writeData    = CombInit(alu.sum.resize(digitBits).asBits)
+  val writeData    = CombInit(adder.sum.resize(digitBits).asBits)
+  if (inputs.nonEmpty) when(due.take) {
+    writeAddress := due.takenTo.asUInt
+    writeData    := due.taken
+  }
   // Registers mean nothing before their first clock under reset: the constants must outlast it.
-  private val writes = writing && !ClockDomain.current.isResetActive
+  private val writes           = late(due.second || due.take && Bool(inputs.nonEmpty)) && !ClockDomain.current.isResetActive
+  private val (toWord, toDigit, written) = (late(writeAddress), late(due.at), late(writeData))
   for ((column, d) <- columns.zipWithIndex)
-    column.write(writeAddress, writeData, if (digits == 1) writes else writes && place === d)
+    column.write(toWord, written, if (digits == 1) writes else writes && toDigit === d)
 
   val loading = RegNext(False) init False
-  io.load.clear := RegNext(io.line) init False
-  io.load.valid := loading
-  io.load.index := RegNext(count.resize(io.load.index.getWidth))
-  io.load.data  := read.resized
+  io.load.clear := late(RegNext(io.line) init False)
+  io.load.valid := late(loading)
+  io.load.index := late(RegNext(count.resize(io.load.index.getWidth)))
+  io.load.data  := late(read).resized
 
   val fsm = new StateMachine {
     val idle                                         = makeInstantEntry()
     val take, fetch, start, bit, first, second, load = new State
     take.whenIsActive {
-      if (inputs.nonEmpty) {
-        val at = count.resize(log2Up(inputs.size.max(2)))
-        writing      := True
-        writeData    := digitOf(Vec(io.inputs.map(_.resize(width).asBits)).read(at))
-        writeAddress := Vec(inputs.map(i => U(i.address, addressBits bits))).read(at)
-      }
-      place := place + 1
+      now.take := True
+      place    := place + 1
       when(lastPlace) {
         place := 0
         count := count + 1
         when(count === scala.math.max(inputs.size - 1, 0))(goto(fetch))
       }
     }
-    fetch.whenIsActive { when(pc === end)(goto(idle)).otherwise(goto(start)) }
+    private val waits                                = Seq.fill(if (fast) RaySetupTiming.Waits else 0)(new State)
+    private val settled                              = (waits :+ start).head
+    for ((s, next) <- waits.zip(waits.drop(1) :+ start)) s.whenIsActive(goto(next))
+    fetch.whenIsActive { when(pc === end)(goto(idle)).otherwise(goto(settled)) }
     start.whenIsActive {
+      now.start := True
+      now.top   := True
       place     := 0
-      alu.top   := True
-      alu.carry := op === RayStep.Subtract
       bitPlace  := topBit
       goto(first)
       when(multiplying) {
@@ -124,25 +143,20 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
     }
     // The multiplier has been read: its bit, then the result so far.
     bit.whenIsActive {
-      alu.bit       := digitOf(read)(bitPlace.resize(digitLog))
-      alu.carry     := alu.top
-      alu.shiftedIn := False
-      place         := 0
-      readAddress   := to
+      now.bit     := True
+      place       := 0
+      readAddress := to
       goto(first)
     }
     first.whenIsActive {
-      alu.first   := digitOf(read).asUInt
-      when(multiplying && alu.top)(alu.first := 0)
+      now.first   := True
       readAddress := Mux(multiplying, a, b)
       goto(second)
     }
     second.whenIsActive {
-      writing       := True
-      alu.carry     := alu.sum.msb
-      alu.shiftedIn := alu.first.msb
-      place         := place + 1
-      readAddress   := Mux(multiplying, to, a)
+      now.second  := True
+      place       := place + 1
+      readAddress := Mux(multiplying, to, a)
       goto(first)
       when(lastPlace) {
         pc := pc + 1
@@ -150,7 +164,7 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
         when(multiplying && bitPlace =/= 0) {
           pc          := pc
           bitPlace    := bitPlace - 1
-          alu.top     := False
+          now.top     := False
           place       := ((bitPlace - 1) >> digitLog).resized
           readAddress := b
           goto(bit)

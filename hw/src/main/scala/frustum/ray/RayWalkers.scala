@@ -9,10 +9,10 @@ import spinal.lib.misc.pipeline._
   *
   * @param node number of the pipeline's node at which a form is looked at
   */
-class RayWalkers(program: RayProgram, load: RayRowLoad, line: LockstepPipeline, node: String => Int)
-    extends Area {
+class RayWalkers(config: RayConfig, load: RayRowLoad, line: LockstepPipeline, node: String => Int) extends Area {
+  import config.program
   private val values = program.forms.map { f =>
-    val w = FormWalker(f, program).setName("walk_" + f.name)
+    val w = FormWalker(f, program, config.fast).setName("walk_" + f.name)
     w.io.load := load
     w.io.step := line(node(f.name)).isValid
     f.name    -> w.io.value

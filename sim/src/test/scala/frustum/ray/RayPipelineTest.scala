@@ -30,12 +30,13 @@ class RayPipelineTest extends AnyFunSuite {
       frames: Int,
       seed: Int,
       mode: VideoMode = mode,
-      camera: Random => Option[RayCamera] = _ => None
+      camera: Random => Option[RayCamera] = _ => None,
+      fast: Boolean = false
   ): Unit = {
     val random  = new Random(seed)
     val motions = Seq.fill(frames)(RandomScenes.motion(scene, random).copy(camera = camera(random)))
     val model   = new RayPicture(scene, mode.width, mode.height)
-    FrustumSim.compile(s"RayPipeline_$name")(new TimedRay(RayConfig(scene, mode))).doSim(name, seed) { dut =>
+    FrustumSim.compile(s"RayPipeline_$name")(new TimedRay(RayConfig(scene, mode, fast))).doSim(name, seed) { dut =>
       SimTimeout(100L * 1000 * 1000)
       dut.clockDomain.forkStimulus(10)
       dut.io.latch #= false
@@ -95,6 +96,7 @@ class RayPipelineTest extends AnyFunSuite {
   private val pong = PongScene.room(mode.width, mode.height, 3)
 
   test("pong")(compare("pong", pong, 8, 1))
+  test("pong, with registers for a higher clock")(compare("fast", pong, 4, 11, fast = true))
   test("pong, its puck not shaded")(compare("flat", pong.copy(shaded = false), 3, 7))
   test("two spheres, of which the nearer one's shade is shown") {
     val puck   = pong.spheres.head

@@ -15,7 +15,7 @@ case class PongTop(config: PongPipelineConfig, tech: Tech) extends Component {
     val domain = ArtyDomain(divider.io.clockOut, io.resetn, 25 MHz)
   }
   val core = new ClockingArea(clocking.domain) {
-    val pipeline = PongPipeline(config, tech)
+    val pipeline = PongPipeline(config, tech, fast = true)
     pipeline.io.buttons.up    := io.up
     pipeline.io.buttons.down  := io.down
     pipeline.io.buttons.left  := io.left
