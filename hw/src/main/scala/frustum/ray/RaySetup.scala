@@ -89,7 +89,7 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
     val takenTo  = ofInputs(Vec(inputs.map(i => B(i.address, addressBits bits))).read(n))
   }
 
-  val adder = new RayDigitAdder(multiplying, op === RayStep.Subtract, due.digit, due.bitAt, due.top)(
+  val adder = new RayDigitAdder(late(multiplying), late(op === RayStep.Subtract), due.digit, due.bitAt, due.top)(
     due.start,
     due.bit,
     due.first,
