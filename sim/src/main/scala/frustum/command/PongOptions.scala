@@ -9,6 +9,7 @@ import java.nio.file.{Path, Paths}
 /** Arguments of `pong`. */
 final case class PongOptions(
     frames: Int = 60,
+    every: Int = 1,
     autoplay: Boolean = false,
     input: Option[Path] = None,
     scene: Option[Path] = None,
@@ -32,6 +33,8 @@ object PongOptions {
       head(s"pong: ${PongCommand.summary}"),
       opt[Int]("frames")(Arguments.count).valueName("N").action((v, o) => o.copy(frames = v))
         .text("frames to draw (default 60)"),
+      opt[Int]("every")(Arguments.count).valueName("N").action((v, o) => o.copy(every = v))
+        .text("judges, writes and films one frame of so many, for long games (default 1: all)"),
       opt[Unit]("autoplay").action((_, o) => o.copy(autoplay = true))
         .text("the paddle goes where the puck will arrive (default: no button is pressed)"),
       opt[Path]("input")(Arguments.file).valueName("FILE").action((v, o) => o.copy(input = Some(v)))

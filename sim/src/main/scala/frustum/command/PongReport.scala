@@ -19,6 +19,7 @@ object PongReport {
       "height"                -> c.mode.height,
       "format"                -> c.format.name,
       "frames"                -> m.frames.toDouble,
+      "framesJudged"          -> recording.judged,
       "clocksPerFrame"        -> m.clocksPerFrame.toDouble,
       "pixelsPerClock"        -> m.pixelsPerClock,
       "latencyClocks"         -> m.latencyClocks,

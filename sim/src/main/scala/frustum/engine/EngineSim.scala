@@ -49,6 +49,12 @@ object EngineSim {
     }).asInstanceOf[SimCompiled[C]]
   }
 
+  /** Lets so many clocks of a domain pass, all that the simulation does beside them included. */
+  def clocks(domain: ClockDomain)(n: Long): Unit = {
+    sleep(Period * (n - 1))
+    domain.waitSampling()
+  }
+
   /** Runs a simulation and moves its waveform to where it is wanted. */
   def run[C <: Component, A](sim: SimCompiled[C], wave: Option[Path], seed: Long)(body: C => A): A = {
     var result = Option.empty[A]

@@ -14,9 +14,8 @@ import spinal.core.sim._
   */
 final class PongSession(dut: PongTestbed, first: PongButtons = PongButtons()) {
   press(first)
-  dut.clockDomain.forkStimulus(EngineSim.Period)
-  dut.clockDomain.waitSampling()
-  private val session        = new VideoSession(dut.clockDomain, dut.monitor)
+  private val clock          = new DirectClock(dut.clockDomain)
+  private val session        = new VideoSession(dut.monitor)(clock.run)
   def reader: SimVideoReader = session.reader
 
   def press(b: PongButtons): Unit = {

@@ -1,15 +1,14 @@
 package frustum.engine
 
 import frustum.peripheral.{SimVideoMonitor, SimVideoReader}
-import spinal.core.ClockDomain
-import spinal.core.sim._
 
 /** Runs a simulated system with a monitor at its pins from frame to frame. The JVM sleeps meanwhile: a frame
   * costs it a few looks.
   *
   * @param divider clocks of a pixel
+  * @param run     lets so many clocks pass
   */
-final class VideoSession(clockDomain: ClockDomain, monitor: SimVideoMonitor, divider: Int = 1) {
+final class VideoSession(monitor: SimVideoMonitor, divider: Int = 1)(run: Long => Unit) {
   private val mode        = monitor.mode
   private val frameClocks = mode.hTotal.toLong * mode.vTotal * divider
   private var seen        = 0L
@@ -25,8 +24,7 @@ final class VideoSession(clockDomain: ClockDomain, monitor: SimVideoMonitor, div
         s"the monitor hangs: no frame complete in ${VideoSession.HangFrames * frameClocks} clocks, " +
           s"$seen frames so far, ${reader.errors} sync errors"
       )
-      sleep(EngineSim.Period * (frameClocks / VideoSession.Looks))
-      clockDomain.waitSampling()
+      run(frameClocks / VideoSession.Looks + 1)
       looks += 1
     }
     seen = reader.frames

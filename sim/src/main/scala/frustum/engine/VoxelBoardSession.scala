@@ -12,7 +12,7 @@ final class VoxelBoardSession(dut: VoxelBoardTestbed) {
   dut.io.pad.dat #= true
   dut.clockDomain.forkStimulus(EngineSim.Period)
   dut.clockDomain.waitSampling(10)
-  private val session        = new VideoSession(dut.clockDomain, dut.monitor, config.divider)
+  private val session        = new VideoSession(dut.monitor, config.divider)(EngineSim.clocks(dut.clockDomain))
   def reader: SimVideoReader = session.reader
 
   /** Puts the words of a world into its memory, by the simulator's back door: by the serial line it takes 21 seconds. */

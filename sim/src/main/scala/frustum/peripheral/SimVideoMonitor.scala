@@ -18,7 +18,7 @@ case class MonitorPins(colorBits: Int) extends Bundle {
   * start at any clock from the start of a horizontal one to the line's first pixel, but always at the same.
   */
 case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
-  import SimVideoMonitor.Lanes
+  import SimVideoMonitor.{Few, Lanes}
   private val pixels = mode.width * mode.height
   require(pixels % Lanes == 0, s"${mode.width} x ${mode.height} pixels, not a multiple of $Lanes")
   val io             = new Bundle {
@@ -107,11 +107,15 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
   io.frames := frames
   val memory  = Mem(Bits(Lanes * colorBits bits), 2 * pixels / Lanes).simPublic()
   val index   = Reg(UInt(log2Up(pixels) bits)) init 0
-  val collect = Reg(Bits((Lanes - 1) * colorBits bits)) init 0
-  val word    = io.pins.color ## collect
+
+  /** The last pixels of a word, and those before them: what is long moves only now and then. */
+  val few     = Reg(Bits((Few - 1) * colorBits bits)) init 0
+  val collect = Reg(Bits((Lanes - Few) * colorBits bits)) init 0
+  val word    = io.pins.color ## few ## collect
   when(visible) {
-    collect := (word >> colorBits).resized
-    index   := index + 1
+    few   := (io.pins.color ## few).dropLow(colorBits)
+    index := index + 1
+    when(index(log2Up(Few) - 1 downto 0).andR)(collect := word.dropLow(Few * colorBits))
   }
   when(vStart)(index := 0)
   private val wordIndex = (index >> log2Up(Lanes)).resize(memory.addressWidth)
@@ -122,4 +126,11 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
   )
 }
 
-object SimVideoMonitor { val Lanes = 32 }
+object SimVideoMonitor {
+
+  /** Pixels of a word of the memory. */
+  val Lanes = 32
+
+  /** Pixels that are put into it together. */
+  private val Few = 4
+}

@@ -22,16 +22,29 @@ final class SimVideoReader(dut: SimVideoMonitor) {
   def picture(): Array[Int] = {
     require(frames > 0, "no frame is complete")
     val base    = if (frames % 2 == 1) 0 else words
-    val mask    = (1 << dut.colorBits) - 1
     val picture = new Array[Int](words * SimVideoMonitor.Lanes)
-    for (w <- 0 until words) {
-      var bytes = dut.memory.getBigInt(base + w).bigInteger
-      for (lane <- 0 until SimVideoMonitor.Lanes) {
-        picture(w * SimVideoMonitor.Lanes + lane) = bytes.intValue & mask
-        bytes = bytes.shiftRight(dut.colorBits)
-      }
-    }
+    for (w <- 0 until words) unpack(dut.memory.getBigInt(base + w).toByteArray, picture, w * SimVideoMonitor.Lanes)
     picture
+  }
+
+  /** The pixels of one word, the first in its lowest bits.
+    *
+    * @param bytes big-endian, as many as it takes
+    */
+  private def unpack(bytes: Array[Byte], picture: Array[Int], from: Int): Unit = {
+    var (held, bits, pixel) = (0L, 0, 0)
+    var next                = bytes.length - 1
+    while (pixel < SimVideoMonitor.Lanes) {
+      while (bits < dut.colorBits) {
+        if (next >= 0) held |= (bytes(next) & 0xffL) << bits
+        next -= 1
+        bits += 8
+      }
+      picture(from + pixel) = (held & ((1 << dut.colorBits) - 1)).toInt
+      held >>>= dut.colorBits
+      bits -= dut.colorBits
+      pixel += 1
+    }
   }
 
   def measures: Seq[VideoMeasure] =

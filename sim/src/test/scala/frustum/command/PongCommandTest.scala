@@ -51,4 +51,14 @@ class PongCommandTest extends AnyFunSuite {
     val (first, last) = (white(0), white(3))
     assert(last.map(_._1).max > first.map(_._1).max && last.map(_._2).min < first.map(_._2).min)
   }
+
+  test("of a long game, one frame of so many is judged and written") {
+    val folder = Files.createTempDirectory("pong")
+    val run    = CommandRunner.run("pong", "--frames", "5", "--every", "3", "--out", folder.toString)
+    assert(run.code == 0, run)
+    val json = ujson.read(Files.readString(folder.resolve("pong.json")))
+    assert(json("frames").num == 5 && json("framesJudged").num == 2)
+    val names = folder.toFile.listFiles.map(_.getName).toSeq.sorted
+    assert(names == Seq("frame-0000.png", "frame-0003.png", "pong.gif", "pong.json"))
+  }
 }

@@ -11,7 +11,7 @@ import spinal.core.sim._
 case class BeamPattern(mode: VideoMode) extends Component {
   val io      = new Bundle { val run = in Bool () }
   val monitor = SimVideoMonitor(mode, 12)
-  val h       = Reg(UInt(12 bits)) init 0
+  val h       = Reg(UInt(12 bits)).init(0).simPublic()
   val v       = Reg(UInt(12 bits)) init mode.vTotal - 4 // so that there are lines to lock to
   val f       = Reg(UInt(12 bits)) init 4095
   when(io.run) {
@@ -39,17 +39,41 @@ class VideoSessionTest extends AnyFunSuite {
     dut.io.run #= false
     dut.clockDomain.forkStimulus(EngineSim.Period)
     dut.clockDomain.waitSampling(20)
-    body(dut, new VideoSession(dut.clockDomain, dut.monitor))
+    body(dut, new VideoSession(dut.monitor)(EngineSim.clocks(dut.clockDomain)))
   }
 
-  test("every frame is seen once, in its order") {
-    run { (dut, session) =>
+  private def sixFrames(dut: BeamPattern, session: VideoSession): Unit = {
+    dut.io.run #= true
+    for (f <- 0 until 6) {
+      session.frame()
+      assert(session.reader.picture().toSeq == Seq.tabulate(64 * 32)(i => i % 64 + f + 1), s"frame $f")
+    }
+    assert(session.reader.errors == 0 && session.reader.clocksPerFrame == mode.hTotal * mode.vTotal)
+  }
+
+  test("every frame is seen once, in its order")(run(sixFrames))
+
+  test("the same when the simulator is clocked directly") {
+    compiled.doSim("direct", 1) { dut =>
+      dut.io.run #= false
+      val clock = new DirectClock(dut.clockDomain)
+      clock.run(20)
+      sixFrames(dut, new VideoSession(dut.monitor)(clock.run))
+    }
+  }
+
+  test("an input that is changed between two runs holds from the first clock of the second") {
+    compiled.doSim("input", 1) { dut =>
+      dut.io.run #= false
+      val clock = new DirectClock(dut.clockDomain)
+      clock.run(5)
+      val before = dut.h.toInt
       dut.io.run #= true
-      for (f <- 0 until 6) {
-        session.frame()
-        assert(session.reader.picture().toSeq == Seq.tabulate(64 * 32)(i => i % 64 + f + 1), s"frame $f")
-      }
-      assert(session.reader.errors == 0 && session.reader.clocksPerFrame == mode.hTotal * mode.vTotal)
+      clock.run(7)
+      assert(dut.h.toInt == before + 7)
+      dut.io.run #= false
+      clock.run(3)
+      assert(dut.h.toInt == before + 7)
     }
   }
 

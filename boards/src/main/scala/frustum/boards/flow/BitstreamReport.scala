@@ -65,9 +65,12 @@ final case class BitstreamReport(
 
 object BitstreamReport {
 
-  /** A net's name without what nextpnr puts before and after it between pad and global buffer, as in
-    * `$glbnet$clk$TRELLIS_IO_IN`; yosys joins the names of a hierarchy by an underscore or, since 0.70, by a dot.
+  /** A net's name without what yosys and nextpnr put before it, as in `$abc$1$iopadmap$clk` and `$glbnet$clk$TRELLIS_IO_IN`,
+    * or append on the way from a pad to a global buffer; yosys joins the names of a hierarchy by an underscore or, since
+    * 0.70, by a dot.
     */
-  def plainNet(net: String): String =
-    net.split('$')(if (net.startsWith("$")) 2 else 0).replace('.', '_')
+  def plainNet(net: String): String = {
+    val parts = net.stripSuffix("$TRELLIS_IO_IN").split('$')
+    (if (net.startsWith("$")) parts.last else parts.head).replace('.', '_')
+  }
 }
