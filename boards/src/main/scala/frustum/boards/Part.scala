@@ -2,8 +2,11 @@ package frustum.boards
 
 import frustum.blackbox.Tech
 
-/** A device the flow can build for. */
-sealed abstract class Part(val name: String, val packageName: String, val tech: Tech) {
+/** A device the flow can build for.
+  *
+  * @param blockRamKbit all of its block RAM, iCE40's single-port RAM not counted
+  */
+sealed abstract class Part(val name: String, val packageName: String, val tech: Tech, val blockRamKbit: Int) {
 
   /** What a report counts, and which of nextpnr's kinds of cells make each figure. */
   def figures: Seq[(String, Seq[String])]
@@ -11,7 +14,7 @@ sealed abstract class Part(val name: String, val packageName: String, val tech: 
 object Part {
 
   /** Lattice iCE40UP5K-SG48: 5,280 logic cells, 30 EBR of 4 kbit, 4 SPRAM of 256 kbit, 8 SB_MAC16. */
-  case object Ice40Up5k extends Part("iCE40UP5K", "sg48", Tech.Ice40) {
+  case object Ice40Up5k extends Part("iCE40UP5K", "sg48", Tech.Ice40, 30 * 4) {
     val figures = Seq(
       "logicCells" -> Seq("ICESTORM_LC"),
       "ebr"        -> Seq("ICESTORM_RAM"),
@@ -24,7 +27,8 @@ object Part {
     *
     * @param blockRams of 36 kbit
     */
-  sealed abstract class Artix7(name: String, val blockRams: Int) extends Part(name, s"${name.toLowerCase}csg324-1", Tech.Artix7) {
+  sealed abstract class Artix7(name: String, blockRams: Int)
+      extends Part(name, s"${name.toLowerCase}csg324-1", Tech.Artix7, blockRams * 36) {
     val figures = Seq(
       "luts"   -> Seq("SLICE_LUTX"),
       "ffs"    -> Seq("SLICE_FFX"),
@@ -43,7 +47,7 @@ object Part {
   /** Lattice LFE5U-85F in CABGA381, speed grade 6, the slowest: 83,640 LUT of four inputs and as many flip-flops, 208
     * block RAMs of 18 kbit, 156 multipliers of 18 x 18.
     */
-  case object Ecp5U85 extends Part("LFE5U-85F", "CABGA381", Tech.Generic) {
+  case object Ecp5U85 extends Part("LFE5U-85F", "CABGA381", Tech.Generic, 208 * 18) {
     val figures = Seq(
       "luts"   -> Seq("TRELLIS_COMB"),
       "ffs"    -> Seq("TRELLIS_FF"),

@@ -10,6 +10,12 @@ case class RayCamera(eye: IntVector, corner: IntVector, right: IntVector, down: 
     def at(a: Int) = corner(a) + h * right(a) + v * down(a)
     IntVector(at(0), at(1), at(2))
   }
+
+  /** All rays lie in one plane, so that there is no picture: corner, right and down depend on each other. */
+  def flat: Boolean = {
+    def minor(a: Int, b: Int) = BigInt(right(a)) * down(b) - BigInt(right(b)) * down(a)
+    corner(0) * minor(1, 2) + corner(1) * minor(2, 0) + corner(2) * minor(0, 1) == 0
+  }
 }
 
 object RayCamera {
@@ -49,6 +55,10 @@ case class RayCameraRange(low: RayCamera, high: RayCamera, lengths: Option[(Int,
   def fixed: Boolean = low == high
   for ((l, h) <- low.vectors.zip(high.vectors); a <- 0 to 2)
     require(l(a) <= h(a), s"camera from $l to $h")
+  require(
+    !fixed || !low.flat,
+    s"camera: all rays lie in one plane, corner ${low.corner}, right ${low.right}, down ${low.down}; none of the three may be zero or a sum of the others"
+  )
   require(
     fixed || lengths.exists { case (least, most) => 0 < least && least <= most },
     s"a camera that moves needs the least and the greatest length of its rays, both above 0: $lengths"

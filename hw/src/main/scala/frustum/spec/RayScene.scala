@@ -42,6 +42,10 @@ case class RayScene(
     shaded: Boolean = true
 ) {
   val eye: RayBox = camera.eye
+
+  /** Block RAM of the images, each of which is there once. */
+  def imageBits: Int =
+    (room.paints ++ quads.map(_.paint)).collect { case i: RayImage => i }.distinct.map(_.rgb.size * 24).sum
   require(spheres.size <= RayScene.MaxSpheres, s"${spheres.size} spheres, at most ${RayScene.MaxSpheres}")
   require(quads.size <= RayScene.MaxQuads, s"${quads.size} quads, at most ${RayScene.MaxQuads}")
   for (a <- 0 to 2)

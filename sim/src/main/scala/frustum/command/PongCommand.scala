@@ -1,6 +1,7 @@
 package frustum.command
 
 import frustum.{InputError, OutputFile}
+import frustum.boards.Tops
 import frustum.engine.PongSession
 import frustum.game.{AutoPlayer, ButtonFile}
 import frustum.model.game.{PongButtons, PongGame}
@@ -35,12 +36,17 @@ object PongCommand extends CommandLine {
   }
 
   /** Makes the hardware of a scene, whose numbers may need more bits, or its set-up more clocks, than there are. */
-  private def build(config: PongPipelineConfig, o: PongOptions, scene: Path): Unit =
+  private def build(config: PongPipelineConfig, o: PongOptions, scene: Path): Unit = {
+    val part = Tops.find(o.board.top).get.part
+    val need = config.scene.imageBits / 1024
+    if (need > part.blockRamKbit)
+      throw InputError(s"$scene: its images need $need kbit, the ${part.name} of ${o.board.top} has ${part.blockRamKbit} in its block RAM; take smaller ones")
     try PongSession.compile(config, o.board)
     catch {
       case e: IllegalArgumentException =>
         throw InputError(s"$scene: ${e.getMessage.stripPrefix("requirement failed: ")}")
     }
+  }
 
   private def players(o: PongOptions): PongGame => PongButtons = o.input match {
     case Some(file) =>

@@ -61,7 +61,12 @@ object RaySceneFile {
           need(o, "camera", "eye")(vector),
           width,
           height,
-          need(o, "camera", "focal")(whole)
+          need(o, "camera", "focal")((v, path) =>
+            whole(v, path) match {
+              case n if n > 0 => n
+              case n          => refuse(path, s"$n is no distance to the screen: at least 1")
+            }
+          )
         ))
       else RayCameraRange(vectors(o, "camera"))
     }

@@ -3,7 +3,9 @@ package frustum.command
 import frustum.boards.icebreaker.IcebreakerTops
 import frustum.spec.VideoMode
 import org.scalatest.funsuite.AnyFunSuite
+import java.awt.image.BufferedImage
 import java.nio.file.{Files, Path}
+import javax.imageio.ImageIO
 
 /** Bad arguments of `pong` and `play`: exit code 2, one line that says what would be right, and no file. */
 class PongArgumentsTest extends AnyFunSuite {
@@ -27,6 +29,14 @@ class PongArgumentsTest extends AnyFunSuite {
     """{"spheres": [{"low": [-300, -220, 20], "high": [300, 220, 620], "radius": 20, "color": "ff0000"},
       {"low": [0, 0, -99], "high": [1, 0, -99], "radius": 20, "color": "00ff00"}]}"""
   )
+  private val tiles = {
+    ImageIO.write(new BufferedImage(128, 64, BufferedImage.TYPE_INT_RGB), "png", inputs.resolve("tiles.png").toFile)
+    file(
+      "tiles.json",
+      """{"room": {"low": [-320, -240, 0], "high": [320, 240, 640], "cellBits": 6,
+        "walls": {"back": {"image": "tiles.png", "texelBits": 2}, "floor": {"image": "tiles.png", "texelBits": 2}}}}"""
+    )
+  }
   private val broken = file("broken.json", "{\n  \"light\": [1, 2,\n")
 
   private val table = Seq(
@@ -45,6 +55,7 @@ class PongArgumentsTest extends AnyFunSuite {
     s"pong --scene '$moving'"             -> Seq("moving.json", "camera stands still", "(0, 0, -300)"),
     s"pong --scene '$second'"             -> Seq("two.json", "sphere 1 moves", "centre"),
     s"pong --scene '$remote'"             -> Seq("remote.json", "bits", "at most 64"),
+    s"pong --scene '$tiles'"              -> Seq("tiles.json", "192 kbit", "iCE40UP5K", "120"),
     "pong --top arty-voxel"               -> Seq("--top", "arty-pong"),
     "play"                                -> Seq("play pong"),
     "play chess"                          -> Seq("chess", "play pong"),

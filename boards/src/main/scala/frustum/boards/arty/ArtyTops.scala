@@ -37,7 +37,7 @@ object ArtyTops {
     core = BoardClock("clk", 100, "oscillator"),
     otherClocks = Seq(),
     component = tech => {
-      val (need, have) = (config.memoryBits / 1024, part.blockRams * 36)
+      val (need, have) = (config.memoryBits / 1024, part.blockRamKbit)
       require(
         need <= have,
         s"$name: world and pictures need $need kbit, the ${part.name} has $have in its block RAMs; take a smaller world, picture or word"
