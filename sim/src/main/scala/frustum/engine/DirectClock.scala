@@ -20,9 +20,9 @@ final class DirectClock(domain: ClockDomain) {
     simulator.userData.asInstanceOf[mutable.ArrayBuffer[Signal]](port.asInstanceOf[Bool].algoInt)
   }
 
+  if (domain.hasResetSignal) domain.assertReset() // from power up on, as on a board
   domain.fallingEdge()
   if (domain.hasResetSignal) {
-    domain.assertReset()
     run(DirectClock.Reset)
     domain.deassertReset()
   }
