@@ -53,8 +53,18 @@ object BudgetMeasures {
     }
   }
 
+  /** All of it with the leaps that the figures have always been of, and steps with those that the boards have. */
   private def voxel(): Seq[Measured] = {
-    val o     = VoxelOptions(size = (160, 120), engine = "model", leaps = Some("octants"))
+    def measured(report: ujson.Obj, metric: String, as: String) =
+      Measured("voxel", as, InfinityAsNull.read(report(metric)))
+    val all = hills("octants")
+    Seq("blocksWrong", "facesWrong", "texelsWrong", "maxDirectionErrorPixels", "steps", "psnr")
+      .map(metric => measured(all, metric, metric)) ++
+      Seq("quadrants", "up-down").map(leaps => measured(hills(leaps), "steps", s"steps.$leaps"))
+  }
+
+  private def hills(leaps: String): ujson.Obj = {
+    val o     = VoxelOptions(size = (160, 120), engine = "model", leaps = Some(leaps))
     val scene = VoxelScenes(o)
     var drawn = Seq.empty[VoxelDrawn]
     new VoxelRun(
@@ -65,9 +75,7 @@ object BudgetMeasures {
       highlight = false,
       o.seed
     ).draw(scene.views)(drawn :+= _)
-    val report = VoxelReport.json("budgets", o.seed, o.engine, scene.config, drawn)
-    Seq("blocksWrong", "facesWrong", "texelsWrong", "maxDirectionErrorPixels", "steps", "psnr")
-      .map(metric => Measured("voxel", metric, InfinityAsNull.read(report(metric))))
+    VoxelReport.json("budgets", o.seed, o.engine, scene.config, drawn)
   }
 
   /** States of a game that plays itself, far apart. */
