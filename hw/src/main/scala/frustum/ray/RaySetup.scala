@@ -55,7 +55,8 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
   private val (b, a, to)          = (address(0), address(1), address(2))
   private val topBit              = instruction(3 * addressBits, bitBits bits).asUInt
   private val op                  = instruction(3 * addressBits + bitBits, 2 bits).asUInt
-  private val multiplying         = op === RayStep.Multiply
+  private val multiplying         = late(op === RayStep.Multiply)
+  private val subtracting         = late(op === RayStep.Subtract)
 
   val count                             = Reg(UInt(log2Up(loadWords.max(inputs.size).max(2)) bits))
   val place                             = Reg(UInt(bitBits - digitLog bits)) // of the digit
@@ -89,7 +90,7 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
     val takenTo  = ofInputs(Vec(inputs.map(i => B(i.address, addressBits bits))).read(n))
   }
 
-  val adder = new RayDigitAdder(late(multiplying), late(op === RayStep.Subtract), due.digit, due.bitAt, due.top)(
+  val adder = new RayDigitAdder(multiplying, subtracting, due.digit, due.bitAt, due.top)(
     due.start,
     due.bit,
     due.first,
