@@ -25,7 +25,7 @@ case class PixelScanner(mode: VideoMode) extends Component {
   // Starts in the blank, so that the first frame is a whole one.
   val x    = Reg(UInt(log2Up(hTotal) bits)) init 0
   val y    = Reg(UInt(log2Up(vTotal) bits)) init height
-  val last = x === hTotal - 1
+  val last = RegNext(x === hTotal - 2) init False // x is at its end: known when the clock begins
   x := x + 1
   when(last) {
     x := 0

@@ -52,7 +52,7 @@ case class PongPipelineConfig(
 /** 3-D pong to a monitor, one pixel a clock: buttons, game, ray caster, score, dither. What is drawn changes in the
   * vertical blank alone; `video` is registered and comes `latencyClocks` after the scanner's position.
   *
-  * @param fast whether the ray caster has more registers, for a higher clock
+  * @param fast whether there are more registers, in the ray caster and before the dither, for a higher clock
   */
 case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic, fast: Boolean = false) extends Component {
   import config.{format, mode, scene}
@@ -96,7 +96,9 @@ case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic, f
   overlay.io.shown   := (game.io.won || game.io.lost) ## True
 
   /** The ray caster is the longest way; all else waits for it, and a last register is the pins'. */
-  val latencyClocks: Int = ray.latency + 1
+  private val beforeDither  = if (fast) 1 else 0
+  private val colourLatency = ray.latency + beforeDither
+  val latencyClocks: Int    = colourLatency + 1
   require(latencyClocks < PixelScanner.Tail, s"latency $latencyClocks, at most ${PixelScanner.Tail - 1}")
   require(
     ray.latency >= TextOverlay.Latency,
@@ -114,24 +116,27 @@ case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic, f
     ray.latency - TextOverlay.Latency
   )
   // After a reset the memory still holds what was on its way: no pulse of it reaches the pins.
-  private val settled                     = RegInit(False) setWhen scanner.io.frameEnd
-  private val (cell, dot, hPulse, vPulse) = (late(3), late(2), late(1) && settled, late(0) && settled)
+  private val settled               = RegInit(False) setWhen scanner.io.frameEnd
+  private val (cell, dot)           = (late(3), late(2))
+  private def toDither(pulse: Bool) = Delay(pulse, beforeDither, init = False)
+  private val visible               = toDither(ray.io.down.valid)
+  private val (hPulse, vPulse)      = (toDither(late(1) && settled), toDither(late(0) && settled))
 
   val dither = OrderedDither(format)
   // The beam has gone on by the latency, into the blank at most: its row is the pixel's.
-  require(ray.latency < mode.hBlank, s"latency ${ray.latency} in a blank of ${mode.hBlank}")
-  dither.io.x := scanner.io.x(1 downto 0) - (ray.latency & 3)
+  require(colourLatency < mode.hBlank, s"latency $colourLatency in a blank of ${mode.hBlank}")
+  dither.io.x := scanner.io.x(1 downto 0) - (colourLatency & 3)
   dither.io.y := scanner.io.y(1 downto 0)
-  private def written(c: UInt) = Mux(dot, U(255, 8 bits), Mux(cell, c |>> 1, c))
+  private def written(c: UInt) = Delay(Mux(dot, U(255, 8 bits), Mux(cell, c |>> 1, c)), beforeDither)
   dither.io.rgb.r := written(ray.io.down.rgb.r)
   dither.io.rgb.g := written(ray.io.down.rgb.g)
   dither.io.rgb.b := written(ray.io.down.rgb.b)
 
   private def lateSync(pulse: Bool, positive: Boolean) = RegNext(pulse ^ Bool(!positive)) init Bool(!positive)
-  io.video.active := RegNext(ray.io.down.valid) init False
+  io.video.active := RegNext(visible) init False
   io.video.hSync  := lateSync(hPulse, mode.hPositive)
   io.video.vSync  := lateSync(vPulse, mode.vPositive)
-  private def pin(c: UInt) = RegNext(Mux(ray.io.down.valid, c, U(0).resized))
+  private def pin(c: UInt) = RegNext(Mux(visible, c, U(0).resized))
   io.video.red   := pin(dither.io.red)
   io.video.green := pin(dither.io.green)
   io.video.blue  := pin(dither.io.blue)

@@ -48,8 +48,9 @@ case class VoxelPipeline(
   setup.io.eye   := camera.eye
   texels.io.eye  := camera.eye
 
-  rays.io.down >> setup.io.up
-  setup.io.down >> marcher.io.up
+  // No way of ready leads from the ring through the set-up.
+  rays.io.down.s2mPipe() >> setup.io.up
+  setup.io.down.s2mPipe() >> marcher.io.up
   memory.io.read.address := Mux(io.busy, marcher.io.memory.address, io.look.address)
   marcher.io.memory.word := memory.io.read.word
   io.look.word           := memory.io.read.word
