@@ -56,6 +56,15 @@ object ValidFor {
     0.5,
     "% of texels"
   )
+  val LateRatio = ValidFor(
+    "perspective",
+    "w-ratio-late",
+    "of a floor in two triangles, hardware for no more",
+    1.01,
+    1 << VertexRanges.LateRatio,
+    0.5,
+    "% of texels"
+  )
   val NearPlane = ValidFor(
     "driver",
     "near-plane",

@@ -29,3 +29,9 @@ final case class VertexRanges(position: Int = 10, repeats: Int = 7, ratio: Int =
   /** A value of such a plane as its hardware holds it. */
   def wrap(coordinate: Int): Int = coordinate << (32 - coordinateBits) >> (32 - coordinateBits)
 }
+
+object VertexRanges {
+
+  /** Greatest `ratio` that the smaller divide, [[frustum.texture.LateDivide]], is made for. */
+  val LateRatio = 3
+}

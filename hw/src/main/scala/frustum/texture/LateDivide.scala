@@ -2,13 +2,13 @@ package frustum.texture
 
 import frustum.blackbox.Tech
 import frustum.fixed.{LockstepPipeline, Multiplier16}
-import frustum.spec.{RasterConfig, ReciprocalTable, SetupWords}
+import frustum.spec.{RasterConfig, ReciprocalTable, SetupWords, VertexRanges}
 import spinal.core._
 import spinal.lib._
 import spinal.lib.misc.pipeline._
 
 /** Texture coordinates s/q and t/q as [[PerspectiveDivide]] makes them, for triangles whose depths are near each other
-  * (`ratio` of [[frustum.spec.VertexRanges]] [[LateDivide.MostRatio]] at most): one a clock, latency 7, 5 multipliers, 2 tables of 256 x 16.
+  * (`ratio` of [[frustum.spec.VertexRanges]] `LateRatio` at most): one a clock, latency 7, 5 multipliers, 2 tables of 256 x 16.
   *
   * Since q is normalised by e = 0..ratio steps alone, s and t need not be shifted on their way: they wait in memories of 8 words until
   * the reciprocal is there, and the quotient is shifted.
@@ -86,14 +86,11 @@ case class LateDivide(config: RasterConfig, tech: Tech) extends Component {
 
 object LateDivide {
 
-  /** w ratios up to 2 to this. */
-  val MostRatio = 3
-
   /** Block RAM that it has and [[PerspectiveDivide]] has not. */
   val Memories = 4
 
   /** Whether a pipeline has it: depths are near each other, and planes that are not wanted leave it the block RAM. */
-  def suits(config: RasterConfig): Boolean = config.ranges.ratio <= MostRatio && spare(config.fixed.planes) >= Memories
+  def suits(config: RasterConfig): Boolean = config.ranges.ratio <= VertexRanges.LateRatio && spare(config.fixed.planes) >= Memories
 
   /** Block RAM of 256 x 16 that a pipeline without some planes does not need: coefficients, two for depth and one for a colour, depth's
     * tile memories and its wait, and part of [[frustum.fragment.AttributeMemory]], which holds 9 bits beside the colours' 9 each.

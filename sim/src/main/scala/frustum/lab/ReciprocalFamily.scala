@@ -2,7 +2,7 @@ package frustum.lab
 
 import frustum.blackbox.Tech
 import frustum.model
-import frustum.spec.ReciprocalTable
+import frustum.spec.{RasterConfig, ReciprocalTable, VertexRanges}
 import frustum.texture
 import scala.math.{floor, log, round}
 import scala.util.Random
@@ -56,11 +56,11 @@ object ReciprocalFamily extends ChartFamily {
   /** How many correct bits an approximation has. */
   def bitsOf(error: Double): Double = -log(error) / log(2)
 
-  /** Greatest error in texels of 128, of coordinates within a repeat of 0, anywhere in the range of q. */
-  def texelError(quotient: (Int, Int) => Double): Double = {
+  /** Greatest error in texels of 128, of coordinates within a repeat of 0, where q is down to 2^-`ratio` of its greatest. */
+  def texelError(ratio: Int = 14)(quotient: (Int, Int) => Double): Double = {
     val random = new Random(1)
     Seq.fill(100000) {
-      val q = (1 << 30 | random.nextInt(1 << 30)) >> random.nextInt(15)
+      val q = (1 << 30 | random.nextInt(1 << 30)) >> random.nextInt(ratio + 1)
       val s = ((random.nextDouble() * 2 - 1) * q / 256).toInt
       (quotient(s, q) - s.toDouble * 256 / q).abs * 128
     }.max
@@ -70,7 +70,7 @@ object ReciprocalFamily extends ChartFamily {
   private def dividers(costs: UnitCosts): Chart = {
     val long = for (fraction <- Seq(8, 12, 17)) yield {
       val unit  = costs.timed(s"long division to $fraction bits")(new LongDivision(fraction))
-      val error = texelError((s, q) => LongDivision(s, q, fraction) / (1L << fraction).toDouble)
+      val error = texelError()((s, q) => LongDivision(s, q, fraction) / (1L << fraction).toDouble)
       ChartPoint("long division, a row a bit", s"$fraction fraction bits", unit.cells, error, Some(unit))
     }
     val unit = costs.timed("perspective divide")(texture.PerspectiveDivide(Tech.Ice40))
@@ -78,20 +78,27 @@ object ReciprocalFamily extends ChartFamily {
       "table, line and multipliers",
       "PerspectiveDivide",
       unit.cells,
-      texelError((s, q) => model.texture.PerspectiveDivide(s, q) / 131072.0),
+      texelError()((s, q) => model.texture.PerspectiveDivide(s, q) / 131072.0),
       Some(unit)
     )
+    val late = for (ratio <- 1 to VertexRanges.LateRatio) yield {
+      val config = RasterConfig(ranges = VertexRanges(ratio = ratio))
+      val divide = new model.texture.LateDivide(config)
+      val unit   = costs.timed(s"late divide, w ratios to ${1 << ratio}")(texture.LateDivide(config, Tech.Ice40))
+      val error  = texelError(ratio)((s, q) => divide(s, q) / 131072.0)
+      ChartPoint("the same, shifted after the table", s"w ratios to ${1 << ratio}", unit.cells, error, Some(unit))
+    }
     Chart(
       "perspective-dividers",
       "Two coordinates divided a clock",
       "LUT and flip-flops, iCE40",
       "greatest error, texels of 128",
-      long :+ ours,
+      (long :+ ours) ++ late,
       Some(ours),
       None,
       1e-6,
       s"Ours has ${unit.multipliers} of the UP5K's 8 multipliers and ${unit.blockRams} of its 30 block RAMs as well; long division " +
-        "has none. Without MHz: it does not fit the UP5K.",
+        "has none. Shifted after the table it is LateDivide, for fitted hardware: less logic, more block RAM. Without MHz: it does not fit the UP5K.",
       logCost = true
     )
   }

@@ -12,7 +12,8 @@ final class RegisteredUnit(make: => Component) extends Component {
   }
   val unit = make
   unit.setDefinitionName("unit")
-  private val (inputs, outputs) = unit.getOrdredNodeIo.partition(_.isInput)
+  private val clocks            = unit.pulledDataCache.values.toSet[Data] // ports that a black box's clock made
+  private val (inputs, outputs) = unit.getOrdredNodeIo.filterNot(clocks).partition(_.isInput)
 
   val shift = Reg(Bits(inputs.map(_.getBitsWidth).sum bits))
   shift := (shift ## io.in).resized

@@ -5,12 +5,14 @@ import frustum.host.{DrawOptions, Driver, PreparedFrame}
 import frustum.judge.{FrameJudge, FrameVerdict}
 import frustum.picture.Picture
 import frustum.scene.{Camera, Grid, Material, MeshVertex, Pictures, Scene, TextureImage, Triangle}
-import frustum.spec.{Combine, RasterConfig, ValidFor, Wrap}
+import frustum.spec.{Combine, FixedState, RasterConfig, ValidFor, VertexRanges, Wrap}
+import frustum.texture.LateDivide
 import org.joml.Vector3d
 
 /** Scenes through driver and model, held against the reference by the judges. */
 object SceneSweeps {
   private val config = RasterConfig(96, 96)
+  private val repeat = DrawOptions(None, cullBack = false, Wrap.Repeat, 0)
   private val origin = new Vector3d
   private val up     = new Vector3d(0, 1, 0)
   private val checks =
@@ -31,13 +33,14 @@ object SceneSweeps {
       triangles: IndexedSeq[Triangle],
       materials: Seq[Material],
       camera: Camera,
-      wrap: Wrap
+      options: DrawOptions = repeat,
+      hardware: RasterConfig = config
   ): PreparedFrame =
     Driver.prepare(
       Scene("sweep", triangles, materials.toIndexedSeq, camera, 0),
       camera,
-      DrawOptions(None, cullBack = false, wrap, 0),
-      config,
+      options,
+      hardware,
       0
     )
 
@@ -61,7 +64,14 @@ object SceneSweeps {
   private val ahead = new Vector3d(0, 0, -1)
 
   /** A floor at y = -`height`, from `start` to `far` before the eye, the texture 8 times along it. */
-  private def floor(start: Double, far: Double, height: Double, near: Double): PreparedFrame = {
+  private def floor(
+      start: Double,
+      far: Double,
+      height: Double,
+      near: Double,
+      options: DrawOptions = repeat,
+      hardware: RasterConfig = config
+  ): PreparedFrame = {
     val quad = Grid.rectangle(
       new Vector3d(-far / 2, -height, -start),
       new Vector3d(far, 0, 0),
@@ -70,7 +80,17 @@ object SceneSweeps {
       (1, 1),
       0
     )(_ => (1, 1, 1, 1))
-    prepare(quad, Seq(checks), Camera(origin, ahead, up, 60, near, far * 1.01), Wrap.Repeat)
+    prepare(quad, Seq(checks), Camera(origin, ahead, up, 60, near, far * 1.01), options, hardware)
+  }
+
+  /** The same floor on hardware that was made for it alone, and for depths near each other. */
+  private def fittedFloor(ratio: Double): PreparedFrame = {
+    val flat   = repeat.copy(depthTest = false)
+    val states = floor(1, 2, 1, 0.5, flat).passes.flatMap(_.states)
+    val fitted =
+      config.copy(ranges = VertexRanges(ratio = VertexRanges.LateRatio), fixed = FixedState.of(states: _*))
+    require(LateDivide.suits(fitted), s"the sweep's hardware, $fitted, has another divide")
+    floor(1, ratio, 1, 0.5, flat, fitted)
   }
 
   /** A wall before an orthographic eye, `size` times the screen's height, its texture from `-reach` to 1 + `reach`. */
@@ -87,7 +107,7 @@ object SceneSweeps {
       def shift(v: MeshVertex) = v.copy(s = v.s - reach, t = v.t - reach)
       t.copy(v0 = shift(t.v0), v1 = shift(t.v1), v2 = shift(t.v2))
     }
-    prepare(shifted, Seq(material), Camera(origin, ahead, up, 60, 1, 4, Some(1.0)), wrap)
+    prepare(shifted, Seq(material), Camera(origin, ahead, up, 60, 1, 4, Some(1.0)), repeat.copy(wrap = wrap))
   }
 
   /** Pixels in per cent that show the farther of two walls. It is drawn first: with equal depths it stays. */
@@ -103,7 +123,7 @@ object SceneSweeps {
         material
       )(_ => (1, 1, 1, 1))
     }
-    val picture = Picture.ofRgb565(drawn(prepare(quads.toIndexedSeq, plain, camera, Wrap.Repeat)))
+    val picture = Picture.ofRgb565(drawn(prepare(quads.toIndexedSeq, plain, camera)))
     100.0 * picture.count(_ != 0x00ff00) / picture.length
   }
 
@@ -117,7 +137,7 @@ object SceneSweeps {
     val triangle = Triangle(vertices(0), vertices(1), vertices(2), 0)
     val camera   = Camera(origin, ahead, up, 60, 1, 4, Some(1.0))
     val wrong    =
-      judged(prepare(IndexedSeq(triangle), plain.take(1), camera, Wrap.Repeat)).endToEnd.coverageWrong
+      judged(prepare(IndexedSeq(triangle), plain.take(1), camera)).endToEnd.coverageWrong
     100.0 * wrong / (config.width * config.height)
   }
 
@@ -137,6 +157,7 @@ object SceneSweeps {
       texelsWrong(floor(k, 100 * k, k, k / 2))
     ),
     Sweep(ValidFor.FarOverNear, 1.01, 1 << 22, 100)(ratio => texelsWrong(floor(1, ratio, 1, 0.5))),
+    Sweep(ValidFor.LateRatio, 1.01, 1 << 10, 100)(ratio => texelsWrong(fittedFloor(ratio))),
     Sweep(ValidFor.NearPlane, 1e-7, 0.5, 100)(near => texelsWrong(floor(-10, 100, 100 * near, 100 * near))),
     Sweep(ValidFor.EyeHeight, 1e-4, 64, 100)(height => texelsWrong(floor(1, 100, height, 0.5))),
     Sweep(ValidFor.Overhang, 1, 1e9, 5)(overhang),
