@@ -27,6 +27,7 @@ final case class ChartPoint(
   * @param shipped the library's default, @param peer what the systems it is compared with do
   * @param floor errors below this are drawn at it: a logarithmic axis has no 0
   * @param note how to read it
+  * @param scenes whether the lines are scenes, which do not compete: each has a front of its own
   */
 final case class Chart(
     name: String,
@@ -38,13 +39,21 @@ final case class Chart(
     peer: Option[ChartPoint],
     floor: Double,
     note: String,
-    logCost: Boolean = false
+    logCost: Boolean = false,
+    scenes: Boolean = false
 ) {
+  private val methods = points.map(_.method).distinct
 
-  /** Those that no other beats in both. */
-  def front: Seq[ChartPoint] = points.filterNot(p =>
-    points.exists(o => o.cost <= p.cost && o.error <= p.error && (o.cost < p.cost || o.error < p.error))
-  ).sortBy(_.cost)
+  /** Those that no other beats in both, by rising cost. */
+  def fronts: Seq[Seq[ChartPoint]] = {
+    val rivals = if (scenes) methods.map(m => points.filter(_.method == m)) else Seq(points)
+    rivals.map(all =>
+      all.filterNot(p =>
+        all.exists(o => o.cost <= p.cost && o.error <= p.error && (o.cost < p.cost || o.error < p.error))
+      ).sortBy(_.cost)
+    )
+  }
+  def front: Seq[ChartPoint] = fronts.flatten
 
   def csv: String = {
     val rows = points.map { p =>
@@ -79,12 +88,11 @@ final case class Chart(
     chart.getStyler.setYAxisLogarithmic(true).setXAxisLogarithmic(logCost)
     def add(name: String, shown: Seq[ChartPoint]) =
       chart.addSeries(name, shown.map(_.cost).toArray, shown.map(_.error.max(floor)).toArray)
-    for (method <- points.map(_.method).distinct)
+    for (method <- methods)
       add(method, points.filter(_.method == method).sortBy(_.cost))
-    add(
-      "Pareto front",
-      front
-    ).setMarker(SeriesMarkers.NONE).setLineWidth(6).setLineColor(new java.awt.Color(0, 0, 0, 40))
+    for ((front, n) <- fronts.zipWithIndex)
+      add(if (n == 0) "Pareto front" else s"front $n", front).setMarker(SeriesMarkers.NONE).setLineWidth(6)
+        .setLineColor(new java.awt.Color(0, 0, 0, 40)).setShowInLegend(n == 0)
     for (
       (what, point, marker) <-
         Seq(("shipped", shipped, SeriesMarkers.DIAMOND), ("the peers'", peer, SeriesMarkers.CROSS));
@@ -94,8 +102,10 @@ final case class Chart(
       series.setMarker(marker).setMarkerColor(java.awt.Color.RED)
       series.setXYSeriesRenderStyle(XYSeriesRenderStyle.Scatter)
     }
+    val drawn = points.map(_.error.max(floor))
+    val above = math.pow(drawn.max / drawn.min, 0.03) // so much of the axis lies between a point and its clock
     for (p <- points; mhz <- p.hardware.flatMap(_.clockMHz))
-      chart.addAnnotation(new AnnotationText(f"$mhz%.0f MHz", p.cost, p.error.max(floor), false))
+      chart.addAnnotation(new AnnotationText(f"$mhz%.0f MHz", p.cost, p.error.max(floor) * above, false))
     chart.getStyler.setMarkerSize(9)
     chart
   }

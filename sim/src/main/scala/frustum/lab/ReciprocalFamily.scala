@@ -86,7 +86,7 @@ object ReciprocalFamily extends ChartFamily {
       val divide = new model.texture.LateDivide(config)
       val unit   = costs.timed(s"late divide, w ratios to ${1 << ratio}")(texture.LateDivide(config, Tech.Ice40))
       val error  = texelError(ratio)((s, q) => divide(s, q) / 131072.0)
-      ChartPoint("the same, shifted after the table", s"w ratios to ${1 << ratio}", unit.cells, error, Some(unit))
+      ChartPoint("shifted after the table: LateDivide", s"w ratios to ${1 << ratio}", unit.cells, error, Some(unit))
     }
     Chart(
       "perspective-dividers",
@@ -98,7 +98,7 @@ object ReciprocalFamily extends ChartFamily {
       None,
       1e-6,
       s"Ours has ${unit.multipliers} of the UP5K's 8 multipliers and ${unit.blockRams} of its 30 block RAMs as well; long division " +
-        "has none. Shifted after the table it is LateDivide, for fitted hardware: less logic, more block RAM. Without MHz: it does not fit the UP5K.",
+        "has none. LateDivide is for fitted hardware: less logic, more block RAM. Without MHz: it does not fit the UP5K.",
       logCost = true
     )
   }

@@ -24,7 +24,8 @@ object SwimFamily extends ChartFamily {
       points.find(p => p.method == "cube" && p.cost == 4),
       points.find(p => p.method == "cube" && p.cost == 2),
       1e-4,
-      "Each bit takes a third to a half of it. The peers' vertices have 2 bits."
+      "Each bit takes a third to a half of it. The peers' vertices have 2 bits.",
+      scenes = true
     ))
   }
 }

@@ -57,7 +57,8 @@ object TileFamily extends ChartFamily {
       points.find(p => p.method == "cube" && p.setting == "16 x 16"),
       None,
       1e-3,
-      "Larger tiles take fewer clocks and more block RAM, and make more texels wrong: gradients add up over more pixels."
+      "Larger tiles take fewer clocks and more block RAM, and make more texels wrong: gradients add up over more pixels.",
+      scenes = true
     )
   }
 }

@@ -125,6 +125,9 @@ class ChartTest extends AnyFunSuite {
     }
     val chart = Chart("n", "t", "c", "e", Seq(d, b, c, a), None, None, 1e-3, "")
     assert(chart.front == Seq(a, b, d))
+    val other = Seq(c, d).map(_.copy(method = "other scene"))
+    assert(Chart("n", "t", "c", "e", Seq(a, b) ++ other, None, None, 1e-3, "", scenes = true).fronts == Seq(Seq(a, b), other))
+    assert(Chart("n", "t", "c", "e", Seq(a, b) ++ other, None, None, 1e-3, "").front == Seq(a, b, other(1)))
   }
 
   test("the command writes a page, pictures and data") {
