@@ -3,7 +3,7 @@ package frustum.boards.arty
 import spinal.core._
 import spinal.lib.{History, ResetCtrl}
 
-/** A clock domain of the Arty: reset from power up on for some clocks, and by the red button. The reset is a register of the clock. */
+/** A clock domain of the Arty: reset from power up on for some clocks, and by the red button. The reset is a register of the clock, and synchronous. */
 object ArtyDomain {
   /** Clocks of reset from power up on. */
   private val PowerUp = 4
@@ -12,6 +12,6 @@ object ArtyDomain {
     val unreset = ClockDomain(clock, config = ClockDomainConfig(resetKind = BOOT))
     val button  = ResetCtrl.asyncAssertSyncDeassert(!resetn, unreset, inputPolarity = HIGH, outputPolarity = HIGH)
     val reset   = unreset(RegNext(button || !History(True, PowerUp, init = False).last) init True)
-    ClockDomain(clock = clock, reset = reset, frequency = ClockDomain.FixedFrequency(frequency))
+    ClockDomain(clock, reset, config = ClockDomainConfig(resetKind = SYNC), frequency = ClockDomain.FixedFrequency(frequency))
   }
 }
