@@ -38,7 +38,8 @@ object BlendPlan {
       time.sweep(t, words, None)((_, _) => ())
       idle(2 * words + 1)
       var cleared = t
-      for ((places, n) <- Seq(4, words, 5, words).zipWithIndex) {
+      // Each bank is drawn all over while the other is swept.
+      for ((places, n) <- Seq(4, words, words, 5, words, words).zipWithIndex) {
         val bank   = n % 2
         val buffer = Array.fill(words)(clear)
         for (at <- BlendPlan.places(r, places, if (blend) 3 else 2, 180)) {

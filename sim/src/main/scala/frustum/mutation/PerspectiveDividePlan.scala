@@ -37,7 +37,9 @@ object PerspectiveDividePlan {
           waits = valid
         )
         def any = random.nextInt()
-        Seq.fill(random.nextInt(4) / 2)(step(valid = false, any, any, any)) :+ step(valid = true, s, t, q)
+        // At times long enough for a coordinate to be alone in the pipeline.
+        val idle = if (random.nextInt(50) == 0) 12 else random.nextInt(4) / 2
+        Seq.fill(idle)(step(valid = false, any, any, any)) :+ step(valid = true, s, t, q)
       }.toIndexedSeq,
       waitsFor = Some("io_up_ready"),
       stalled = Seq("io_down_ready"),
