@@ -2,8 +2,9 @@ package frustum.fixed
 
 import frustum.spec.{SineTable, VoxelRules}
 import spinal.core._
+import spinal.lib._
 
-/** Sine of an angle in 1/1024 turns, 16 fraction bits, two clocks later; see [[frustum.spec.SineTable]]. */
+/** Sine of an angle in 1/1024 turns, 16 fraction bits, three clocks later; see [[frustum.spec.SineTable]]. */
 case class SineLookup() extends Component {
   import SineTable._
   val io = new Bundle {
@@ -13,9 +14,9 @@ case class SineLookup() extends Component {
   val within  = io.angle(IndexBits - 1 downto 0)
   val falling = io.angle(IndexBits)
   val words   = Mem(UInt(FractionBits bits), quarter.map(U(_, FractionBits bits)))
-  val word    = words.readSync(Mux(falling, U(0, IndexBits bits) - within, within))
-  val one     = RegNext(falling && within === 0)
-  val minus   = RegNext(io.angle.msb)
+  val word    = words.readSync(RegNext(Mux(falling, U(0, IndexBits bits) - within, within)))
+  val one     = Delay(falling && within === 0, 2)
+  val minus   = Delay(io.angle.msb, 2)
   val size    = Mux(one, U(1 << FractionBits, Width bits), word.resize(Width)).asSInt
   io.sine := RegNext(Mux(minus, -size, size))
 }

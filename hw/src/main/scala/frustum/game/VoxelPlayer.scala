@@ -93,9 +93,9 @@ case class VoxelPlayer(
     lookup.io.angle := Mux(count(1), pose.pitch.asUInt, pose.yaw) + Mux(count(0), U(0), U(Turn / 4, AngleBits bits))
     when(state =/= State.sines)(count := 0) otherwise {
       count := count + 1
-      for ((s, i) <- sines.all.zipWithIndex) when(count === i + 2)(s := lookup.io.sine)
+      for ((s, i) <- sines.all.zipWithIndex) when(count === i + 3)(s := lookup.io.sine)
     }
-    val over = count === 6
+    val over = count === 7
 
     /** Rounded to 8 fraction bits. */
     private def coarse(s: SInt): SInt = RegNext((s + (1 << SineTable.FractionBits - 9)) >> SineTable.FractionBits - 8)

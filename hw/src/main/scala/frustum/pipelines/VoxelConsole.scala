@@ -76,7 +76,9 @@ case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech) extends Componen
   pipeline.io.highlight := RegNextWhen(!turn.byHost || turn.highlight, pipeline.io.start, False)
 
   uart.io.uart.rxd := io.uart
-  uart.io.read.queue(VoxelConsole.Bytes).haltWhen(turn.playing || turn.waiting) >> host.io.bytes
+  // What passes comes to the host a clock later, so halting begins with what begins the turn. Only an edit that waits makes
+  // the host hold a byte for longer, and then it is the first one of a command and changes nothing.
+  uart.io.read.queue(VoxelConsole.Bytes).haltWhen(turn.playing || turn.waiting || blank).m2sPipe() >> host.io.bytes
   io.refused := host.io.refused
 
   /** Edits, one at a time: the host's between pictures, the player's in its turn. The memory's second reader is who is at work. */

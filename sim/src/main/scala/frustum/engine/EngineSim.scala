@@ -18,9 +18,6 @@ object EngineSim {
   /** Units of simulation time in a clock. */
   val Period = 10L
 
-  /** Verilator cuts code at 20,000 operations and not, as SpinalSim has it, at 500: a tenth faster. */
-  private val LongFunctions = "--output-split 20000 --output-split-cfuncs 20000"
-
   def spinalConfig: SpinalConfig = SpinalConfig(
     defaultConfigForClockDomains = ClockDomainConfig(resetKind = SYNC),
     defaultClockDomainFrequency = FixedFrequency(36 MHz),
@@ -42,8 +39,7 @@ object EngineSim {
     val kind = wave.map(file => if (file.toString.endsWith(".vcd")) "vcd" else "fst")
     compiled.getOrElseUpdate((name, kind), {
       println(s"$name: compiling the simulation; this takes a minute or two the first time")
-      val settings = SimConfig.withConfig(spinalConfig).allOptimisation.addSimulatorFlag(LongFunctions)
-        .workspaceName(name + kind.fold("")("_" + _))
+      val settings = SimConfig.withConfig(spinalConfig).allOptimisation.workspaceName(name + kind.fold("")("_" + _))
       val waved = kind match {
         case Some("vcd") => settings.withVcdWave
         case Some(_)     => settings.withFstWave
