@@ -43,7 +43,8 @@ case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech) extends Componen
   val scan     = new SlowArea(config.divider) {
     val out = DoubledScanout(mode, format, config.scale, Seq(config.readout.rate, config.readout.item))
   }.out
-  val blank   = scan.io.blank.rise(False)
+  val starts  = scan.io.blank.rise(False)
+  val blank   = RegNext(starts, False)
   val editing = RegInit(False) // a block for the host
 
   /** A picture is drawn from one blank to, at the latest, the next but one. */
@@ -76,9 +77,10 @@ case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech) extends Componen
   pipeline.io.highlight := RegNextWhen(!turn.byHost || turn.highlight, pipeline.io.start, False)
 
   uart.io.uart.rxd := io.uart
-  // What passes comes to the host a clock later, so halting begins with what begins the turn. Only an edit that waits makes
-  // the host hold a byte for longer, and then it is the first one of a command and changes nothing.
-  uart.io.read.queue(VoxelConsole.Bytes).haltWhen(turn.playing || turn.waiting || blank).m2sPipe() >> host.io.bytes
+  // What passes comes to the host a clock later, and what it does a clock after that, so halting begins two clocks before the
+  // turn. Only an edit that waits makes the host hold a byte for longer, and then it is the first one of a command and changes
+  // nothing.
+  uart.io.read.queue(VoxelConsole.Bytes).haltWhen(turn.playing || turn.waiting || starts || blank).m2sPipe() >> host.io.bytes
   io.refused := host.io.refused
 
   /** Edits, one at a time: the host's between pictures, the player's in its turn. The memory's second reader is who is at work. */

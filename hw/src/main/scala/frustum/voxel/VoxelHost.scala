@@ -7,7 +7,7 @@ import spinal.lib._
 
 /** Takes a host's commands, see [[frustum.spec.VoxelHostCommand]], and gives edits, cameras and places for the player. A command with a wrong
   * checksum, an unknown opcode, one cut short, an edit outside the world, an id that is none and a place out of range change nothing and are
-  * counted. Bytes wait while an edit does; all else comes with its last byte.
+  * counted. Bytes wait while an edit does; cameras and places come a clock after their last byte.
   *
   * @param silence clocks after which the next byte begins a command
   */
@@ -43,7 +43,8 @@ case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Co
   private val fields =
     camera.eye.toSeq ++ Seq(camera.look, camera.base, camera.right, camera.down).flatMap(_.axes)
   for ((field, n) <- fields.zipWithIndex) field := number(n, 15).resized
-  io.camera.valid := False
+  val cameraDone = False
+  io.camera.valid := RegNext(cameraDone) init False // the payload stays until the second byte that comes
   io.highlight    := opcode === Highlight
 
   private val pose    = Vec((0 until 5).map(number(_, 5)))
@@ -53,7 +54,8 @@ case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Co
   for (k <- 0 to 2) io.pose.feet(k) := pose(k).resized
   io.pose.yaw   := pose(3).asUInt.resized
   io.pose.pitch := pose(4).resized
-  io.pose.valid := False
+  val poseDone = False
+  io.pose.valid := RegNext(poseDone) init False
 
   val (address, content) = (number(0, 2).asUInt, number(1, 2).asUInt)
   val editAllowed        = RegNext(
@@ -78,10 +80,10 @@ case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Co
       } elsewhen (sum + byte =/= 0) {
         refuse := True
       } elsewhen (opcode === Player) {
-        io.pose.valid := poseAllowed
-        refuse        := !poseAllowed
+        poseDone := poseAllowed
+        refuse   := !poseAllowed
       } elsewhen (opcode === Camera || opcode === Highlight) {
-        io.camera.valid := True
+        cameraDone := True
       } otherwise {
         edit.address := address.resized
         edit.content := content.asBits.resized
