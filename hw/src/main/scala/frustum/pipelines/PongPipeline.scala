@@ -95,10 +95,11 @@ case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic, f
   overlay.io.text(1) := Mux(game.io.won, letters("WIN!"), letters("LOSE"))
   overlay.io.shown   := (game.io.won || game.io.lost) ## True
 
-  /** The ray caster is the longest way; all else waits for it, and a last register is the pins'. */
   private val beforeDither  = if (fast) 1 else 0
   private val colourLatency = ray.latency + beforeDither
-  val latencyClocks: Int    = colourLatency + 1
+
+  /** The ray caster is the longest way; all else waits for it, and a last register is the pins'. */
+  val latencyClocks: Int = colourLatency + 1
   require(latencyClocks < PixelScanner.Tail, s"latency $latencyClocks, at most ${PixelScanner.Tail - 1}")
   require(
     ray.latency >= TextOverlay.Latency,
