@@ -13,7 +13,7 @@ case class CameraWrite() extends Bundle {
 /** Cameras in block RAM: the one that is drawn with, the newest that is whole, and one that is being written. `commit` makes the written one the newest,
   * `take` draws with the newest. Numbers come a clock after they are asked for; the eye can be asked for a second time.
   *
-  * @param initial the camera until another is committed
+  * @param initial the camera until another is committed after a reset; it has a bank of its own, which nothing writes
   */
 case class CameraMemory(c: VoxelConfig, initial: VoxelCamera) extends Component {
   val io = new Bundle {
@@ -25,22 +25,24 @@ case class CameraMemory(c: VoxelConfig, initial: VoxelCamera) extends Component 
     val axis   = in UInt (2 bits)
     val eye    = out SInt (c.blockBits + c.eyeBits bits)
   }
-  val shown, newest = RegInit(U(0, 2 bits)) // banks 0 to 2
-  val written       = RegInit(U(1, 2 bits)) // neither of these two
+  val shown, newest = RegInit(U(0, 2 bits)) // banks; 0 is that of the start
+  val written       = RegInit(U(1, 2 bits)) // of 1 to 3, neither of these two
   val next          = Mux(io.take, newest, shown)
   shown := next
   when(io.commit) {
     newest  := written
-    written := ~(written + next) // the third of 0, 1, 2
+    written := written ^ Mux(next === 0, U(3), next) // the third of 1, 2, 3; until the first is taken 1 and 2 in turn
   }
 
+  /** What registers hold at power up must not reach the bank of the start either. */
+  private val enable              = io.write.valid && written =/= 0
   private def memory(width: Int) = {
     val numbers = initial.numbers.padTo(16, 0)
     val mem     = Mem(
       Bits(width bits),
       Seq.fill(4)(numbers).flatten.map(n => B(BigInt(n) & ((BigInt(1) << width) - 1), width bits))
     )
-    mem.write(written @@ io.write.index, io.write.value.resize(width).asBits, io.write.valid)
+    mem.write(written @@ io.write.index, io.write.value.resize(width).asBits, enable)
     mem
   }
   val all  = memory(VoxelCamera.DirectionWidth)

@@ -102,6 +102,22 @@ class SmallVoxelConsoleTest extends AnyFunSuite {
     }
   }
 
+  test("after a reset the camera of the start, whatever was half sent") {
+    compiled.doSim("reset", 4) { dut =>
+      val session = new Session(dut)
+      session.load(world)
+      for (whole <- 1 to 3) {
+        for (view <- Seq(30, 60, 90).take(whole).map(camera(8, _))) {
+          session.send(VoxelHostCommand.camera(view))
+          assert(session.picture().sameElements(shown(world, view)))
+        }
+        session.send(VoxelHostCommand.camera(camera(3, 200)).dropRight(9))
+        session.reset()
+        assert(session.picture().sameElements(shown(world, start)), s"after $whole cameras and a half")
+      }
+    }
+  }
+
   test("commands that are wrong change nothing and are counted; the next one is taken") {
     compiled.doSim("wrong", 3) { dut =>
       val session = new Session(dut)
