@@ -33,6 +33,11 @@ object VoxelCamera {
 
   /** From the middle of the world along +x, `focal` pixels from the screen. */
   def level(c: VoxelConfig, focal: Int): VoxelCamera = {
+    val least = (c.width max c.height) / 4 + 1
+    require(
+      focal >= least,
+      s"a start $focal pixels from a screen of ${c.width} x ${c.height}: rays at its edges reach 2 and overflow; at least $least"
+    )
     val step = (1 << DirectionBits) / focal
     VoxelCamera(
       IntVector(c.size.x << c.eyeBits - 1, c.size.y << c.eyeBits - 1, c.size.z << c.eyeBits - 1),

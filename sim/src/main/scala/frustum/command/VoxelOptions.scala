@@ -97,7 +97,7 @@ object VoxelOptions {
       option[Double]("yaw", "DEG", "0 looks along +x, 90 along +y (default 30)", Arguments.finite)((o, v) =>
         o.copy(yaw = Some(v))
       ),
-      option[Double]("pitch", "DEG", "up is positive (default -10)", Arguments.finite)((o, v) =>
+      option[Double]("pitch", "DEG", "-90 to 90, up is positive (default -10)", Arguments.finite)((o, v) =>
         o.copy(pitch = Some(v))
       ),
       option[Vector3d]("look", "dx,dy,dz", "direction, instead of --yaw and --pitch", Arguments.vector)(

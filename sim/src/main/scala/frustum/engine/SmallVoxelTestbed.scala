@@ -25,7 +25,7 @@ case class SmallVoxelTestbed(c: VoxelConfig, assets: VoxelAssets) extends Compon
     val clocks, steps, pixels =
       out(Reg(UInt(32 bits)) init 0) // since the start of the frame, until its last pixel is taken
   }
-  val pipeline = SmallVoxelPipeline(c, assets, VoxelCamera.level(c, 45), Tech.Generic)
+  val pipeline = SmallVoxelPipeline(c, assets, VoxelCamera.level(c, c.width max c.height), Tech.Generic)
   val picture  = Mem(Bits(16 bits), c.pixels)
 
   pipeline.io.start     := io.start

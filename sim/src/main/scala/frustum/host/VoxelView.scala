@@ -30,6 +30,7 @@ final case class VoxelView(eye: Vector3d, yaw: Double, pitch: Double, focal: Dou
       throw InputError(
         s"--eye: $axis $e is more than ${VoxelConfig.Around} blocks away from the world of ${c.size}; move it nearer"
       )
+    if (!(pitch.abs <= 90)) throw InputError(s"--pitch $pitch: is beyond straight up or down; give -90 to 90")
     val corners = for (i <- Seq(0, c.width); j <- Seq(0, c.height)) yield direction(i, j, c)
     if (corners.exists(d => d.x.abs.max(d.y.abs).max(d.z.abs) >= 1.999)) throw InputError(
       s"--focal $focal at ${c.width}x${c.height}: the view is too wide, a ray's component reaches 2; enlarge --focal"

@@ -55,6 +55,7 @@ class VoxelCommandTest extends AnyFunSuite {
     "--look 0,0,0"                            -> Seq("--look"),
     "--look 1,0,0 --yaw 50"                   -> Seq("--look", "--yaw", "one of them"),
     s"--path '$poses' --pitch 5"              -> Seq("--path", "--pitch", "one of them"),
+    "--pitch 91"                              -> Seq("--pitch", "-90 to 90"),
     "--focal 60"                              -> Seq("--focal", "too wide"),
     "--size 8x8"                              -> Seq("--size", "width 8"),
     "--distance 100"                          -> Seq("--distance", "60"),

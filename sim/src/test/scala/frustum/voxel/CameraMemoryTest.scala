@@ -76,4 +76,12 @@ class CameraMemoryTest extends AnyFunSuite {
       assert(resets > 20)
     }
   }
+
+  test("a start so near to the screen that its rays overflow is refused, one pixel further is not") {
+    val near = intercept[IllegalArgumentException](VoxelCamera.level(c, 80))
+    assert(near.getMessage.contains("at least 81"))
+    val camera = VoxelCamera.level(c, 81)
+    for (i <- Seq(0, c.width - 1); j <- Seq(0, c.height - 1); d <- camera.direction(i, j))
+      assert(d.abs < (2 << VoxelCamera.DirectionBits))
+  }
 }
