@@ -25,14 +25,14 @@ object BitstreamCommand extends CommandLine {
       Seq("json", "bin", "fasm").foreach(kind =>
         Files.deleteIfExists(directory.resolve(s"${top.name}.$kind"))
       )
-      val report = build(top, arguments.seeds, directory)
+      val report = build(top, arguments.seeds, arguments.placer, directory)
       val file   = directory.resolve(s"${top.name}.json")
       OutputFile.writeText(file, ujson.write(report.json(BuildInfo.version), indent = 2) + "\n")
       println(s"wrote $file")
       verdict(report)
     }
 
-  private def build(top: BoardTop, seeds: Int, directory: Path): BitstreamReport = {
+  private def build(top: BoardTop, seeds: Int, placer: String, directory: Path): BitstreamReport = {
     def say(line: String): Unit = println(s"$name ${top.name}: $line")
     try {
       println(
@@ -43,7 +43,7 @@ object BitstreamCommand extends CommandLine {
         case _: Part.Artix7 => new Artix7Flow(Artix7Tools.find())
         case Part.Ecp5U85   => Ecp5Flow.find(say)
       }
-      val report = flow.run(top, 1 to seeds, directory, say)
+      val report = flow.run(top, 1 to seeds, directory, say, placer)
       if (report.fits && top.part == Part.Ice40Up5k && report.icetimeMHz.isEmpty)
         say(
           "no icetime here, so no icetimeMHz in the report; it is in Debian's fpga-icestorm and fpga-icestorm-chipdb"

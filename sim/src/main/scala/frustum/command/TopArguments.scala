@@ -1,11 +1,18 @@
 package frustum.command
 
 import frustum.InputError
+import frustum.boards.flow.Nextpnr
 import frustum.boards.{BoardTop, Tops}
 import scopt.{OEffect, OParser}
 
 /** Arguments of the commands that build a top. */
-final case class TopArguments(top: String = "", seeds: Int = 1, ecp5: Boolean = false, help: Boolean = false) {
+final case class TopArguments(
+    top: String = "",
+    seeds: Int = 1,
+    placer: String = Nextpnr.Placers.head,
+    ecp5: Boolean = false,
+    help: Boolean = false
+) {
   def find: BoardTop = Tops.find(top).getOrElse(
     throw InputError(s"argument TOP: there is no top '$top'; choose one of ${Tops.all.map(_.name).mkString(", ")}")
   )
@@ -31,6 +38,12 @@ object TopArguments {
         opt[Int]("seeds").valueName("N").action((n, a) => a.copy(seeds = n))
           .validate(n => if (n >= 1 && n <= 100) success else failure(s"argument --seeds: $n is outside 1..100"))
           .text("placements, with placer seeds 1 to N; the slowest is what is reported (default 1)"),
+        opt[String]("placer").valueName(Nextpnr.Placers.mkString("|")).action((p, a) => a.copy(placer = p))
+          .validate(p =>
+            if (Nextpnr.Placers.contains(p)) success
+            else failure(s"argument --placer: '$p' is none of ${Nextpnr.Placers.mkString(", ")}")
+          )
+          .text(s"nextpnr's (default ${Nextpnr.Placers.head})"),
         opt[Unit]("ecp5").action((_, a) => a.copy(ecp5 = true))
           .text("the same design on Lattice's LFE5U-85F, for its figures alone: TOP-ecp5.json, no file for a board")
       )

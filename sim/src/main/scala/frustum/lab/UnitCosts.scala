@@ -30,8 +30,8 @@ object UnitCost {
   val names: Seq[String] = Seq("luts", "flipFlops", "multipliers", "blockRams", "clockMHz")
 }
 
-/** Synthesis, place and route of units alone, kept in `.cache/chart` by a digest of their Verilog and of
-  * yosys' pass.
+/** Synthesis, place and route of units alone, kept in `.cache/chart` by a digest of their Verilog, of yosys'
+  * pass and of the placer.
   *
   * @param say told before each run
   */
@@ -80,7 +80,7 @@ final class UnitCosts(say: String => Unit) {
     val code = tools.nextpnr.run(
       work,
       log,
-      Seq("--up5k", "--package", "sg48", "--json", "timed.netlist.json", "--report", "timed.report.json") ++
+      Seq("--placer", Nextpnr.Placers.head, "--up5k", "--package", "sg48", "--json", "timed.netlist.json", "--report", "timed.report.json") ++
         Seq("--freq", "100", "--seed", s"$seed", "--timing-allow-fail", "--pcf-allow-unconstrained")
     )
     if (code == 0)
@@ -103,7 +103,7 @@ final class UnitCosts(say: String => Unit) {
     val verilog = Files.readAllBytes(work.resolve(s"$top.v"))
     val digest  = MessageDigest.getInstance(
       "SHA-256"
-    ).digest(verilog ++ Ice40Flow.Synthesis.getBytes).take(12).map("%02x".format(_)).mkString
+    ).digest(verilog ++ s"${Ice40Flow.Synthesis} ${Nextpnr.Placers.head}".getBytes).take(12).map("%02x".format(_)).mkString
     val file = cache.resolve(s"$digest.json")
     if (!Files.exists(file)) OutputFile.writeText(file, ujson.write(measure))
     ujson.read(Files.readString(file))

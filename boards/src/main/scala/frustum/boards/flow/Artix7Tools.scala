@@ -8,12 +8,12 @@ object Artix7Tools {
 
   def find(): Artix7Tools = {
     def missing(what: String) = throw MissingTool(
-      s"$what is not on PATH: install Debian's yosys, ${names.head} and ${names.head}-chipdb, of Debian 13 or later"
+      s"$what is not on PATH: install Debian's yosys, ${names.head} and ${names.head}-chipdb, of Debian 14 or later"
     )
     val (major, minor) = Ice40Tools.OldestYosys
     Artix7Tools(
       Tool.native("yosys", "-V", (major, minor)).getOrElse(missing(s"yosys $major.$minor or newer")),
-      names.flatMap(Tool.native(_, "--version")).headOption.getOrElse(missing(names.head))
+      names.flatMap(Tool.native(_, "--version", Nextpnr.Oldest)).headOption.getOrElse(missing(s"${names.head} ${Nextpnr.Oldest._1}.${Nextpnr.Oldest._2} or newer"))
     )
   }
 }

@@ -27,7 +27,7 @@ object Ecp5Flow {
   /** @param say told what is being prepared */
   def find(say: String => Unit): Ecp5Flow = new Ecp5Flow(
     Tool.native("yosys", "-V", Ice40Tools.OldestYosys).getOrElse(Yowasp.tool("yosys", "-V", say)),
-    Tool.native("nextpnr-ecp5", "--version", Ice40Tools.OldestNextpnr)
+    Tool.native("nextpnr-ecp5", "--version", Nextpnr.Oldest)
       .getOrElse(Yowasp.tool("nextpnr-ecp5", "--version", say, Yowasp.Ecp5))
   )
 }

@@ -29,9 +29,16 @@ abstract class Flow {
   /** Builds in `directory/<name>.build` and leaves the file for the board of the best seed beside it when the design
     * fits.
     *
-    * @param say told of each step as it ends
+    * @param say    told of each step as it ends
+    * @param placer one of [[Nextpnr.Placers]]
     */
-  final def run(top: BoardTop, seeds: Seq[Int], directory: Path, say: String => Unit): BitstreamReport = {
+  final def run(
+      top: BoardTop,
+      seeds: Seq[Int],
+      directory: Path,
+      say: String => Unit,
+      placer: String = Nextpnr.Placers.head
+  ): BitstreamReport = {
     val work = directory.resolve(s"${top.name}.build")
     Files.createDirectories(work)
     work.toFile.listFiles.filter(_.isFile).foreach(_.delete())
@@ -41,13 +48,13 @@ abstract class Flow {
     say(s"synthesised with yosys ${yosys.version}")
     writeConstraints(work, top)
     val results = seeds.zipWithIndex.map { case (seed, i) =>
-      val placed = Nextpnr.place(nextpnr, work, top, seed, placement(top, s"${top.name}.$seed"))
+      val placed = Nextpnr.place(nextpnr, work, top, seed, placer, placement(top, s"${top.name}.$seed"))
       val second = if (placed.fits) secondOpinion(work, top, seed) else None
       val told   = placed.summary +: second.map(mhz => f"icetime $mhz%.2f MHz").toSeq
       say(s"seed $seed (${i + 1} of ${seeds.length}): ${told.mkString(", ")}")
       (placed, second)
     }
-    val report = BitstreamReport(top, engine, results.map(_._1), results.flatMap(_._2))
+    val report = BitstreamReport(top, s"$engine, placer $placer", results.map(_._1), results.flatMap(_._2))
     if (report.fits)
       for (file <- pack(work, top, report.bestSeed)) {
         val ending = file.getFileName.toString.split('.').last

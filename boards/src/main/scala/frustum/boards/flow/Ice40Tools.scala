@@ -8,13 +8,10 @@ object Ice40Tools {
   /** Below this yosys lacks options the flow relies on; Debian 12 has 0.23. */
   val OldestYosys = (0, 40)
 
-  /** Below this nextpnr sees no delay through an unregistered multiplier; Debian 12 has 0.4. */
-  val OldestNextpnr = (0, 7)
-
   /** @param say told what is being prepared */
   def find(say: String => Unit): Ice40Tools = {
     val yosys   = Tool.native("yosys", "-V", OldestYosys)
-    val nextpnr = Tool.native("nextpnr-ice40", "--version", OldestNextpnr)
+    val nextpnr = Tool.native("nextpnr-ice40", "--version", Nextpnr.Oldest)
     val icepack = Tool.onPath("icepack").headOption.map(path => Tool("icepack", "", Seq(path), Map()))
     Ice40Tools(
       yosys.getOrElse(Yowasp.tool("yosys", "-V", say)),

@@ -25,15 +25,22 @@ final case class Placement(
 /** Place and route: `<name>.netlist.json` to the part's own file. */
 object Nextpnr {
 
-  /** @param part arguments that tell the device, its constraints and what to write */
-  def place(tool: Tool, directory: Path, top: BoardTop, seed: Int, part: Seq[String]): Placement = {
+  /** Below this the placer that the flow uses is not made for the iCE40; Debian 12 has 0.4, Debian 13 has 0.7. */
+  val Oldest = (0, 11)
+
+  /** Placers of nextpnr; the first is the flow's, the second nextpnr's own choice. docs/flashing.md compares them. */
+  val Placers = Seq("static", "heap")
+
+  /** @param placer one of [[Placers]]
+    * @param part   arguments that tell the device, its constraints and what to write */
+  def place(tool: Tool, directory: Path, top: BoardTop, seed: Int, placer: String, part: Seq[String]): Placement = {
     val run    = s"${top.name}.$seed"
     val report = directory.resolve(s"$run.report.json")
     Files.deleteIfExists(report)
     val code = tool.run(
       directory,
       s"$run.nextpnr.log",
-      part ++ Seq("--json", s"${top.name}.netlist.json", "--report", s"$run.report.json") ++
+      part ++ Seq("--placer", placer, "--json", s"${top.name}.netlist.json", "--report", s"$run.report.json") ++
         Seq("--freq", s"${top.targetMHz}", "--seed", s"$seed", "--timing-allow-fail")
     )
     val log               = directory.resolve(s"$run.nextpnr.log")
