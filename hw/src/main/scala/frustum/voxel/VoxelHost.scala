@@ -21,21 +21,18 @@ case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Co
     val pose      = master(Flow(VoxelPose(c)))
     val refused   = out UInt (8 bits) // stays at its end
   }
+  val framing   = HostFraming(bytesOf, silence)
+  val opcode    = framing.io.opcode
   val payload   = Reg(Bits(8 * MostBytes bits))
-  val left      = Reg(UInt(log2Up(MostBytes + 2) bits)) init 0 // bytes to come, the checksum among them
-  val opcode    = Reg(UInt(8 bits))
-  val sum       = Reg(UInt(8 bits))
-  val quiet     = Timeout(silence)
   val edit      = Reg(HostEdit(c))
   val editValid = RegInit(False) clearWhen io.edit.ready
-  val refused   = RegInit(U(0, 8 bits))
-  val refuse    = False
-  when(refuse && !refused.andR)(refused := refused + 1)
-
   io.edit.valid   := editValid
   io.edit.payload := edit
-  io.refused      := refused
   io.bytes.ready  := !editValid
+  io.refused      := framing.io.refused
+  framing.io.bytes << io.bytes.toFlowFire
+  framing.io.refuse := False
+  when(framing.io.payload.valid)(payload := payload(payload.high - 8 downto 0) ## framing.io.payload.payload)
 
   private def number(n: Int, of: Int) = payload(24 * (of - 1 - n), 24 bits).asSInt
 
@@ -62,38 +59,18 @@ case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Co
     address < c.size.blocks && Mux(opcode === Block, content <= rules.items, (content >> c.leaps.wordBits) === 0)
   )
 
-  when(io.bytes.fire) {
-    quiet.clear()
-    val byte = io.bytes.payload.asUInt
-    sum := sum + byte
-    when(left === 0) {
-      sum    := byte
-      opcode := byte
-      switch(byte) {
-        for ((o, n) <- bytesOf.toSeq.sorted) is(o)(left := n + 1)
-        default(refuse := True)
-      }
+  when(framing.io.whole) {
+    when(opcode === Player) {
+      poseDone          := poseAllowed
+      framing.io.refuse := !poseAllowed
+    } elsewhen (opcode === Camera || opcode === Highlight) {
+      cameraDone := True
     } otherwise {
-      left := left - 1
-      when(left =/= 1) {
-        payload := payload(payload.high - 8 downto 0) ## io.bytes.payload
-      } elsewhen (sum + byte =/= 0) {
-        refuse := True
-      } elsewhen (opcode === Player) {
-        poseDone := poseAllowed
-        refuse   := !poseAllowed
-      } elsewhen (opcode === Camera || opcode === Highlight) {
-        cameraDone := True
-      } otherwise {
-        edit.address := address.resized
-        edit.content := content.asBits.resized
-        edit.byId    := opcode === Block
-        editValid    := editAllowed
-        refuse       := !editAllowed
-      }
+      edit.address      := address.resized
+      edit.content      := content.asBits.resized
+      edit.byId         := opcode === Block
+      editValid         := editAllowed
+      framing.io.refuse := !editAllowed
     }
-  } elsewhen (quiet && left =/= 0) {
-    left   := 0
-    refuse := True
   }
 }

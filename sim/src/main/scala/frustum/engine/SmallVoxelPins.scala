@@ -37,7 +37,7 @@ case class SmallVoxelPins(c: VoxelConfig, focal: Int) extends Component {
   tft.io.pins   := top.io.display
   io.refused    := !top.io.refused_n
   top.core.console.pipeline.memory.ram.inferred.simPublic()
-  top.core.console.host.refused.simPublic()
+  top.core.console.host.io.refused.simPublic()
 }
 
 object SmallVoxelPins {

@@ -123,7 +123,7 @@ class SmallVoxelConsoleTest extends AnyFunSuite {
       val session = new Session(dut)
       val good    = camera(8, 30)
       session.load(world)
-      val refused = dut.top.core.console.host.refused
+      val refused = dut.top.core.console.host.io.refused
       val wrong   = Seq(
         Seq(0x55),                                                     // no opcode
         VoxelHostCommand.camera(camera(3, 200)).updated(20, 1),        // wrong checksum
