@@ -1,16 +1,16 @@
 val spinalVersion = "1.14.2"
 
 ThisBuild / organization := "io.github.frustum3d"
-ThisBuild / version := "0.1.0"
+ThisBuild / version      := "0.1.0"
 ThisBuild / scalaVersion := "2.13.18"
-ThisBuild / licenses := Seq("Apache-2.0" -> url("https://www.apache.org/licenses/LICENSE-2.0"))
+ThisBuild / licenses     := Seq("Apache-2.0" -> url("https://www.apache.org/licenses/LICENSE-2.0"))
 ThisBuild / scalacOptions ++= Seq("-deprecation", "-feature", "-unchecked", "-Xlint:infer-any", "-language:reflectiveCalls")
-ThisBuild / fork := true
-ThisBuild / connectInput := false
+ThisBuild / fork           := true
+ThisBuild / connectInput   := false
 ThisBuild / outputStrategy := Some(StdoutOutput)
 
 val spinalCore = "com.github.spinalhdl" %% "spinalhdl-core" % spinalVersion
-val spinalLib = "com.github.spinalhdl" %% "spinalhdl-lib" % spinalVersion
+val spinalLib  = "com.github.spinalhdl" %% "spinalhdl-lib"  % spinalVersion
 val idslPlugin = compilerPlugin("com.github.spinalhdl" %% "spinalhdl-idsl-plugin" % spinalVersion)
 
 val ujson = "com.lihaoyi" %% "ujson" % "4.1.0"
@@ -33,19 +33,19 @@ lazy val sim = (project in file("sim"))
   .dependsOn(boards)
   .settings(spinal)
   .settings(
-    name := "frustum-sim",
-    buildInfoKeys := Seq[BuildInfoKey](version),
+    name             := "frustum-sim",
+    buildInfoKeys    := Seq[BuildInfoKey](version),
     buildInfoPackage := "frustum",
     libraryDependencies ++= Seq(
       "com.github.spinalhdl" %% "spinalhdl-sim" % spinalVersion,
-      "org.joml" % "joml" % "1.10.8",
-      "com.github.scopt" %% "scopt" % "4.1.0",
-      "me.tongfei" % "progressbar" % "0.10.1",
-      "org.knowm.xchart" % "xchart" % "3.8.8",
-      "org.scalatest" %% "scalatest" % "3.2.20" % Test
+      "org.joml"              % "joml"          % "1.10.8",
+      "com.github.scopt"     %% "scopt"         % "4.1.0",
+      "me.tongfei"            % "progressbar"   % "0.10.1",
+      "org.knowm.xchart"      % "xchart"        % "3.8.8",
+      "org.scalatest"        %% "scalatest"     % "3.2.20" % Test
     ),
     Compile / run / baseDirectory := (ThisBuild / baseDirectory).value,
-    Test / baseDirectory := (ThisBuild / baseDirectory).value,
+    Test / baseDirectory          := (ThisBuild / baseDirectory).value,
     Test / javaOptions ++= Seq("-Xmx4g"),
     run / javaOptions ++= Seq("-Xmx4g"),
     Test / parallelExecution := false
@@ -64,7 +64,8 @@ writeClasspath := {
 }
 
 /** Every command of the workbench by its name in sbt's own shell; alone on the command line ./sbt takes them itself. */
-val commandNames = Seq("demo", "render", "verilog", "bitstream", "bench", "pong", "voxel", "play", "budgets", "chart", "stability", "fit", "mutate")
+val commandNames =
+  Seq("demo", "render", "verilog", "bitstream", "bench", "pong", "voxel", "play", "budgets", "chart", "stability", "fit", "mutate")
 Global / commands ++= commandNames.map { name =>
   Command.args(name, "<args>") { (state, args) =>
     val quoted = args.map(a => if (a.exists(_.isWhitespace)) "\"" + a + "\"" else a)

@@ -13,7 +13,7 @@ case class ClockOutput(tech: Tech, gated: Boolean = false) extends Component {
     val pin    = out Bool ()
   }
   private val on = if (gated) io.enable else True
-  val now = ClockDomain.current.readClockWire
+  val now        = ClockDomain.current.readClockWire
   tech match {
     case Tech.Ice40 =>
       val cell = Ice40DoubleRateOutput()

@@ -14,12 +14,13 @@ case class ComplementingAdder(width: Int, tech: Tech) extends Component {
 
   tech match {
     case _: Tech.Inferred => io.result := (io.a + io.b) ^ S(width bits, default -> io.complement)
-    case Tech.Ice40 =>
+    case Tech.Ice40       =>
       io.result := LogicCell.chain(width, LogicCell(ComplementingAdder.Parity), io.complement, io.a, io.b).asSInt
   }
 }
 
 object ComplementingAdder {
+
   /** Truth table of the exclusive or of four inputs. */
   private val Parity = (0 until 16).map(i => (java.lang.Integer.bitCount(i) & 1) << i).sum
 }

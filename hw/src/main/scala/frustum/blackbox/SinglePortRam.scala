@@ -12,7 +12,7 @@ case class SinglePortRam(words: Int, width: Int, tech: Tech, maskBits: Int = 16)
   require(width % 16 == 0, s"SinglePortRam: width $width is not a multiple of 16")
   require(Seq(4, 8, 16).contains(maskBits), s"SinglePortRam: mask of $maskBits bits is not of 4, 8 or 16")
   val addressBits = log2Up(words)
-  val io = new Bundle {
+  val io          = new Bundle {
     val enable    = in Bool ()
     val write     = in Bool ()
     val address   = in UInt (addressBits bits)
@@ -26,15 +26,15 @@ case class SinglePortRam(words: Int, width: Int, tech: Tech, maskBits: Int = 16)
 
   tech match {
     case Tech.Ice40 =>
-      val blocks = (words + SpramBlock.Words - 1) / SpramBlock.Words
-      val select = if (blocks > 1) io.address(addressBits - 1 downto 14) else U(0, 1 bits)
+      val blocks   = (words + SpramBlock.Words - 1) / SpramBlock.Words
+      val select   = if (blocks > 1) io.address(addressBits - 1 downto 14) else U(0, 1 bits)
       val selected = RegNextWhen(select, io.enable && !io.write)
-      val lanes = for (lane <- 0 until width / 16) yield {
+      val lanes    = for (lane <- 0 until width / 16) yield {
         val outputs = for (block <- 0 until blocks) yield {
           val ram = SpramBlock()
-          ram.io.CLOCK      := ClockDomain.current.readClockWire
-          ram.io.ADDRESS    := io.address.resize(14).asBits
-          ram.io.DATAIN     := io.writeData(lane * 16, 16 bits)
+          ram.io.CLOCK   := ClockDomain.current.readClockWire
+          ram.io.ADDRESS := io.address.resize(14).asBits
+          ram.io.DATAIN  := io.writeData(lane * 16, 16 bits)
           val mask = io.mask(lane * 16 / maskBits, 16 / maskBits bits)
           ram.io.MASKWREN   := (if (maskBits == 16) B(0xf, 4 bits) else Cat((0 until 4).map(n => mask(n * 4 / maskBits))))
           ram.io.WREN       := io.write && (if (maskBits == 16) mask.lsb else True) && select === block
@@ -49,7 +49,12 @@ case class SinglePortRam(words: Int, width: Int, tech: Tech, maskBits: Int = 16)
       io.readData := Cat(lanes)
     case _: Tech.Inferred =>
       io.readData := inferred.readWriteSync(
-        io.address, io.writeData, io.enable, io.write, mask = io.mask, readUnderWrite = dontCare
+        io.address,
+        io.writeData,
+        io.enable,
+        io.write,
+        mask = io.mask,
+        readUnderWrite = dontCare
       )
   }
 }

@@ -38,7 +38,7 @@ case class ByteShifter(clocksPerBit: Int, tech: Tech) extends Component {
     shift := io.bytes.value
     data  := io.bytes.data
   }
-  io.sck  := (if (phaseBits > 0) count(phaseBits - 1)
+  io.sck := (if (phaseBits > 0) count(phaseBits - 1)
              else {
                val clock = ClockOutput(tech, gated = true)
                clock.io.enable := active

@@ -9,10 +9,10 @@ import spinal.lib._
   */
 case class PassThrough() extends Component {
   val io = new Bundle {
-    val mux                 = in Bool ()
-    val sck, mosi, dc, cs   = in Bool () // the host's
-    val core                = slave(DisplayPins())
-    val pins                = master(DisplayPins())
+    val mux               = in Bool ()
+    val sck, mosi, dc, cs = in Bool () // the host's
+    val core              = slave(DisplayPins())
+    val pins              = master(DisplayPins())
   }
   io.pins := io.core
   when(io.mux) {

@@ -56,20 +56,20 @@ case class SpiDisplay(
     val whole = pixels % (1 << log2) == 0
     (first, if (whole) last else Mux(tile === pixels >> log2, U(pixels - 1, 16 bits), last))
   }
-  val (x0, x1) = ends(io.pixels.tileX, config.tileLog2Width, config.width)
-  val (y0, y1) = ends(io.pixels.tileY, config.tileLog2Height, config.height)
+  val (x0, x1)                    = ends(io.pixels.tileX, config.tileLog2Width, config.width)
+  val (y0, y1)                    = ends(io.pixels.tileY, config.tileLog2Height, config.height)
   def bytesOf(v: UInt): Seq[Bits] = Seq(v(15 downto 8).asBits, v(7 downto 0).asBits)
-  val columns    = Seq(B(Panel.ColumnAddress, 8 bits)) ++ bytesOf(x0) ++ bytesOf(x1)
-  val rows       = Seq(B(Panel.RowAddress, 8 bits)) ++ bytesOf(y0) ++ bytesOf(y1)
-  val write      = B(Panel.MemoryWrite, 8 bits)
-  val windowByte = Vec((columns ++ rows :+ write).padTo(16, write))(index)
-  val isCommand  = index === 0 || index === columns.size || index === columns.size + rows.size
+  val columns                     = Seq(B(Panel.ColumnAddress, 8 bits)) ++ bytesOf(x0) ++ bytesOf(x1)
+  val rows                        = Seq(B(Panel.RowAddress, 8 bits)) ++ bytesOf(y0) ++ bytesOf(y1)
+  val write                       = B(Panel.MemoryWrite, 8 bits)
+  val windowByte                  = Vec((columns ++ rows :+ write).padTo(16, write))(index)
+  val isCommand                   = index === 0 || index === columns.size || index === columns.size + rows.size
 
   val needWindow = io.pixels.first && !windowed
   val bytes      = shifter.io.bytes
-  bytes.valid := False
-  bytes.data  := True
-  bytes.value := io.pixels.color(7 downto 0)
+  bytes.valid     := False
+  bytes.data      := True
+  bytes.value     := io.pixels.color(7 downto 0)
   io.pixels.ready := False
   val paused = RegNext(pause.andR, False)
 
@@ -120,6 +120,7 @@ object DisplayState extends SpinalEnum {
 }
 
 object SpiDisplay {
+
   /** Pauses are powers of two of clocks. */
   def pauseBits(clockHz: Long, fast: Int): Int = {
     require(clockHz > 0 && fast >= 1, s"SpiDisplay: clock of $clockHz Hz, pauses shortened by $fast: both at least 1")

@@ -16,7 +16,7 @@ case class FunctionUnit(table: FunctionTable, tech: Tech) extends Component {
   val bases                        = words(table.base)
   val slopes                       = words(table.slope)
   private val index                = io.x(15 downto 8)
-  val line = Multiplier16(tech, signedA = false, signedB = false, add = true, subtract = !table.rises)
+  val line                         = Multiplier16(tech, signedA = false, signedB = false, add = true, subtract = !table.rises)
   line.io.enable := True
   line.io.a      := slopes.readSync(index)
   line.io.b      := RegNext(io.x(7 downto 0)) ## B(0, 8 bits)

@@ -41,9 +41,9 @@ case class DoubledScanout(mode: VideoMode, format: ColorFormat, scale: Int, fiel
   overlay.io.shown := Repeat(io.marked, fields.length)
 
   val crossed = {
-    val cross                         = Crosshair(width, height)
+    val cross                  = Crosshair(width, height)
     def near(v: UInt, at: Int) = v >= at - Crosshair.Arm && v <= at + Crosshair.Arm
-    val arms                          = RegNext(x === cross.x) && RegNext(near(y, cross.y)) ||
+    val arms                   = RegNext(x === cross.x) && RegNext(near(y, cross.y)) ||
       RegNext(y === cross.y) && RegNext(near(x, cross.x))
     Delay(arms && io.marked, TextOverlay.Latency - 1)
   }

@@ -27,7 +27,7 @@ case class BodyProbe(c: VoxelConfig, kinds: BlockTable) extends Component {
   val word          = RegNext(io.read.word)
   val solid         = RegNext(inside) && word.msb &&
     BlockFlags(kinds).where(_.selectable)(word(BlockTable.IdBits - 1 downto 0).asUInt)
-  val over          = Vec((0 to 2).map(k => at(k) === high(k)))
+  val over = Vec((0 to 2).map(k => at(k) === high(k)))
 
   private def block(from: SInt, by: Int): SInt = (from + by) >> 8
   when(io.start) {

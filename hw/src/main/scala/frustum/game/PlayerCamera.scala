@@ -41,10 +41,10 @@ case class PlayerCamera(c: VoxelConfig, program: CameraProgram) extends Componen
   }
 
   /** Which step is made; the last of the clocks that one takes has `added`. */
-  val step  = Reg(UInt(log2Up(steps.length) bits)) init 0
-  val last  = step === steps.length - 1
-  val added = False
-  val begin = RegNext(io.start || added && !last) init False
+  val step     = Reg(UInt(log2Up(steps.length) bits)) init 0
+  val last     = step === steps.length - 1
+  val added    = False
+  val begin    = RegNext(io.start || added && !last) init False
   when(added)(step    := step + 1)
   when(io.start)(step := 0)
 

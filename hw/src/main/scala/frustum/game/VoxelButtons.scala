@@ -5,9 +5,9 @@ import spinal.core._
 
 /** What a player of a voxel world holds down. */
 case class VoxelButtons() extends Bundle {
-  val forward, back, left, right, up, down         = Bool()
-  val turnLeft, turnRight, lookUp, lookDown        = Bool()
-  val next, previous, place, destroy               = Bool()
+  val forward, back, left, right, up, down  = Bool()
+  val turnLeft, turnRight, lookUp, lookDown = Bool()
+  val next, previous, place, destroy        = Bool()
 }
 
 object VoxelButtons {

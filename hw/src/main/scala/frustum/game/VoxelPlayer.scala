@@ -57,8 +57,8 @@ case class VoxelPlayer(
   object State extends SpinalEnum {
     val idle, aim, decide, edit, turn, sines, stuck, leg, settle, tries, probe, camera, done = newElement()
   }
-  val state = RegInit(State.idle)
-  val leg   = Reg(UInt(2 bits))
+  val state                                       = RegInit(State.idle)
+  val leg                                         = Reg(UInt(2 bits))
   private def both(plus: Bool, minus: Bool): SInt = (plus && !minus).asUInt.resize(2).asSInt - (minus && !plus).asUInt.resize(2).asSInt
 
   val probe = BodyProbe(c, kinds)
@@ -98,12 +98,12 @@ case class VoxelPlayer(
     val over = count === 7
 
     /** Rounded to 8 fraction bits. */
-    private def coarse(s: SInt): SInt = RegNext((s + (1 << SineTable.FractionBits - 9)) >> SineTable.FractionBits - 8)
+    private def coarse(s: SInt): SInt    = RegNext((s + (1 << SineTable.FractionBits - 9)) >> SineTable.FractionBits - 8)
     private def times(by: SInt, s: SInt) = by.mux(S(1, 2 bits) -> s.resize(11), S(-1, 2 bits) -> -s.resize(11), default -> S(0, 11 bits))
-    val (ahead, aside) = (both(buttons.forward, buttons.back), both(buttons.right, buttons.left))
-    val (cos, sin)     = (coarse(sines.cosYaw), coarse(sines.sinYaw))
-    val sums           = Vec(RegNext(times(ahead, cos) +^ times(aside, sin)), RegNext(times(ahead, sin) -^ times(aside, cos)))
-    val steps          = Vec(sums.map(s => RegNext((s * S(WalkStep, 7 bits)) >> 8).resize(width)))
+    val (ahead, aside)                   = (both(buttons.forward, buttons.back), both(buttons.right, buttons.left))
+    val (cos, sin)                       = (coarse(sines.cosYaw), coarse(sines.sinYaw))
+    val sums  = Vec(RegNext(times(ahead, cos) +^ times(aside, sin)), RegNext(times(ahead, sin) -^ times(aside, cos)))
+    val steps = Vec(sums.map(s => RegNext((s * S(WalkStep, 7 bits)) >> 8).resize(width)))
   }
   val camera = PlayerCamera(c, program)
   camera.io.load << io.load
@@ -118,8 +118,10 @@ case class VoxelPlayer(
   /** Whether a body at `to` touches nothing, or the player stuck in a block already. */
   val stuck   = Reg(Bool())
   val stands  = Reg(Bool())
-  val inRange = RegNext((0 to 2).map { k => val (low, high) = rules.range(k); to(k) >= low && to(k) <= high }.reduce(_ && _))
-  val lift    = {
+  val inRange = RegNext((0 to 2).map { k =>
+    val (low, high) = rules.range(k); to(k) >= low && to(k) <= high
+  }.reduce(_ && _))
+  val lift = {
     val fall = rise - Gravity
     if (!rules.gravity) both(buttons.up, buttons.down).resize(10) * S(WalkStep, 7 bits)
     else Mux(stands && buttons.up, S(JumpSpeed), Mux(stands && rise <= 0, S(0), Mux(fall < -MostFall, S(-MostFall), fall)))
@@ -127,9 +129,9 @@ case class VoxelPlayer(
   val change = leg.mux(0 -> trig.steps(0), 1 -> trig.steps(1), 2 -> S(-1, width bits), 3 -> lift.resize(width))
 
   private def arrive(free: Bool): Unit = {
-    state := State.leg
-    leg   := leg + 1
-    when(leg === 2)(stands := !free)
+    state            := State.leg
+    leg              := leg + 1
+    when(leg === 2)(stands            := !free)
     when(leg =/= 2 && free)(pose.feet := to)
     when(leg === 3) {
       rise  := Mux(free, lift, S(0))
@@ -150,7 +152,7 @@ case class VoxelPlayer(
     is(State.decide) {
       state := State.turn
       when(io.pointedAt.valid) {
-        when(hand.destroy || hand.place && !hand.refuses)(state := State.edit)
+        when(hand.destroy || hand.place && !hand.refuses)(state                    := State.edit)
         when(!hand.destroy && hand.place && hand.refuses && !refused.andR)(refused := refused + 1)
       }
     }

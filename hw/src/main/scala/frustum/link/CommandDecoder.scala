@@ -23,7 +23,7 @@ import spinal.lib._
   */
 case class CommandDecoder(config: RasterConfig) extends Component {
   val layout = StoreLayout(config)
-  val io = new Bundle {
+  val io     = new Bundle {
     val words   = slave(Stream(Bits(16 bits)))
     val store   = master(StoreBus(layout))
     val texels  = master(Stream(TexelWrite()))
@@ -34,13 +34,13 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   }
   import DecoderState._
 
-  val state   = RegInit(header)
-  val opcode  = Reg(UInt(3 bits))
-  val left    = Reg(UInt(7 bits)) // payload words still to come
-  val none    = Reg(Bool()) // are
-  val refused = Reg(Bool())
-  val data    = Reg(Bits(32 bits)) // the last two words
-  val word    = io.words.payload
+  val state                       = RegInit(header)
+  val opcode                      = Reg(UInt(3 bits))
+  val left                        = Reg(UInt(7 bits))  // payload words still to come
+  val none                        = Reg(Bool())        // are
+  val refused                     = Reg(Bool())
+  val data                        = Reg(Bits(32 bits)) // the last two words
+  val word                        = io.words.payload
   def is_(command: Command): Bool = opcode === command.opcode
 
   val take   = False // the word in hand is payload and is used up
@@ -68,13 +68,13 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   private val texelBits   = log2Up(config.textureTexels)
   private val addressBits = log2Up(layout.triangles + 1).max(texelBits + 1)
   // Address of a vertex's word or a texel; counts up as words are written.
-  val address      = Reg(UInt(addressBits bits))
-  val count        = False
-  val frameHeader  = new FrameHeader(config, data(15 downto 0))
-  val triangle     = new TriangleAssembly(config, frameHeader.tag, data(9 downto 0).asUInt, io.store.rsp.payload, state === response)
-  val vertexOffset = triangle.tagRead ## triangle.tagRead // 0, or 3: the word that holds the tag
+  val address       = Reg(UInt(addressBits bits))
+  val count         = False
+  val frameHeader   = new FrameHeader(config, data(15 downto 0))
+  val triangle      = new TriangleAssembly(config, frameHeader.tag, data(9 downto 0).asUInt, io.store.rsp.payload, state === response)
+  val vertexOffset  = triangle.tagRead ## triangle.tagRead // 0, or 3: the word that holds the tag
   private val index = data(config.vertexBits - 1 downto 0)
-  val vertexWord   = ((index ## vertexOffset).asUInt +^ index.asUInt).resize(addressBits)
+  val vertexWord    = ((index ## vertexOffset).asUInt +^ index.asUInt).resize(addressBits)
   when(count || state === loadVertex || state === load || state === loadTexel) {
     val texelBlock = (data(10 downto 0) << 4).asUInt.resize(addressBits)
     val blockBits  = texelBits - 4
@@ -83,8 +83,8 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   }
 
   val vertices = Reg(UInt(CommandDecoder.CountBits bits)) // arrived since begin
-  val beyond   = Reg(Bool()) // the vertex index is
-  val pair     = Reg(UInt(3 bits)) // of the vertex's words
+  val beyond   = Reg(Bool())                              // the vertex index is
+  val pair     = Reg(UInt(3 bits))                        // of the vertex's words
   val check    = VertexCheck(config.ranges)
   check.io.clear        := False
   check.io.word.valid   := io.words.valid && is_(Command.Vertices) && (state === fetchFirst || state === fetchSecond)
@@ -97,14 +97,14 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   val half      = state === writeBox // of a triangle's two words
   place := address.resized
   when(state === writeIndices || half)(place := layout.triangles + (triangle.stored ## half).asUInt.resize(placeBits))
-  when(state === writeState)(place := layout.states + triangle.renderState.asUInt.resize(placeBits))
+  when(state === writeState)(place           := layout.states + triangle.renderState.asUInt.resize(placeBits))
   // The store is asked a clock after a state wants to, so that a register alone decides who has its port.
   val ask    = False
   val asking = RegNext(ask && !io.store.cmd.fire) init False
   val served = io.store.cmd.fire
-  io.store.cmd.valid   := asking
+  io.store.cmd.valid := asking
   // What is not to be stored is read in place of written: nobody looks at the answer.
-  val spare  = state === writeVertex && (beyond || check.io.fault && pair =/= 3)
+  val spare = state === writeVertex && (beyond || check.io.fault && pair =/= 3)
   io.store.cmd.write   := state =/= read && !spare
   io.store.cmd.address := frameHeader.bank.asUInt @@ place
   io.store.cmd.data    := data
@@ -122,7 +122,7 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   val mismatch = RegNext(
     data(31 downto 16).asUInt =/= vertices.resize(16) || data(15 downto 0).asUInt =/= triangle.arrived.resize(16)
   )
-  io.job.valid         := state === hand
+  io.job.valid := state === hand
   frameHeader.fill(io.job.payload, triangle.stored)
 
   io.events.accepted        := state === finish && !refused
@@ -133,28 +133,28 @@ case class CommandDecoder(config: RasterConfig) extends Component {
 
   /** Uses up the word in hand and goes on to `next`. */
   def after(next: SpinalEnumElement[DecoderState.type]): Unit = { take := True; when(io.words.valid)(state := next) }
-  def nextGroup(): Unit = state := Mux(none, finish(), fetchFirst())
+  def nextGroup(): Unit                                       = state := Mux(none, finish(), fetchFirst())
 
   switch(state) {
     is(header) {
-      opcode  := word(10 downto 8).asUInt
-      left    := word(6 downto 0).asUInt
-      none    := word(6 downto 0) === 0
-      refused := False
-      beyond  := False
-      pair    := 0
+      opcode           := word(10 downto 8).asUInt
+      left             := word(6 downto 0).asUInt
+      none             := word(6 downto 0) === 0
+      refused          := False
+      beyond           := False
+      pair             := 0
       check.io.clear   := True
       triangle.tagRead := False
       when(io.words.valid)(state := dispatch)
     }
     is(dispatch) {
       switch(opcode) {
-        is(Command.Begin.opcode)(state := begin)
-        is(Command.State.opcode)(state := renderState)
-        is(Command.Vertices.opcode)(state := firstVertex)
+        is(Command.Begin.opcode)(state     := begin)
+        is(Command.State.opcode)(state     := renderState)
+        is(Command.Vertices.opcode)(state  := firstVertex)
         is(Command.Triangles.opcode)(state := renderState)
-        is(Command.Texels.opcode)(state := texelAddress)
-        is(Command.Draw.opcode)(state := drawVertices)
+        is(Command.Texels.opcode)(state    := texelAddress)
+        is(Command.Draw.opcode)(state      := drawVertices)
         default { refused := True; state := skip }
       }
       when(!frameHeader.open && !is_(Command.Begin) && !is_(Command.Texels)) { refused := True; state := skip }
@@ -169,10 +169,10 @@ case class CommandDecoder(config: RasterConfig) extends Component {
     }
 
     is(begin) {
-      frameHeader.open := False
-      vertices         := 0
-      triangle.arrived := 0
-      triangle.stored  := 0
+      frameHeader.open     := False
+      vertices             := 0
+      triangle.arrived     := 0
+      triangle.stored      := 0
       frameHeader.vertical := False
       when(!jobs.msb)(state := frame)
     }
@@ -211,7 +211,7 @@ case class CommandDecoder(config: RasterConfig) extends Component {
       when(io.words.valid) {
         state := load
         when(is_(Command.Vertices))(state := writeVertex)
-        when(is_(Command.State))(state := writeState)
+        when(is_(Command.State))(state    := writeState)
       }
     }
     is(writeState) {
@@ -223,9 +223,9 @@ case class CommandDecoder(config: RasterConfig) extends Component {
       if (config.fixed != FixedState.None) {
         def constant(v: Int) = B(BigInt(v & 0xffffffffL), 32 bits).rotateRight(16) // first word of the wire above
         when((data & constant(config.fixed.mask)) =/= constant(config.fixed.value)) {
-          ask := False
+          ask     := False
           refused := True
-          state := finish
+          state   := finish
         }
       }
     }
@@ -309,6 +309,7 @@ case class CommandDecoder(config: RasterConfig) extends Component {
 }
 
 object CommandDecoder {
+
   /** Vertices and triangles that arrive are counted modulo 4096, to be compared with what `draw` says was sent. */
   val CountBits = 12
 }

@@ -23,11 +23,11 @@ case class CommandLink(config: RasterConfig, depth: Int = 256, dropWhenFull: Boo
 
   val framer  = Framer(depth, dropWhenFull)
   val decoder = CommandDecoder(config)
-  framer.io.bytes  << io.bytes
+  framer.io.bytes << io.bytes
   decoder.io.words << framer.io.words
-  decoder.io.store  <> io.store
+  decoder.io.store <> io.store
   decoder.io.texels >> io.texels
-  decoder.io.job    >> io.job
+  decoder.io.job >> io.job
   decoder.io.jobDone := io.jobDone
   io.drawing         := decoder.io.drawing
 
@@ -36,7 +36,7 @@ case class CommandLink(config: RasterConfig, depth: Int = 256, dropWhenFull: Boo
     when(event)(count := count + 1)
     count
   }
-  val events = DecoderEvents() // a clock late, so that counting is no part of deciding
+  val events                        = DecoderEvents() // a clock late, so that counting is no part of deciding
   def pulses(events: DecoderEvents) = events.elements.map { case (_, pulse: Bool) => pulse }
   for ((late, pulse) <- pulses(events).zip(pulses(decoder.io.events))) late := RegNext(pulse) init False
   // Two units drop commands; where both do so in one clock, the decoder's is counted later. It has none in between.
@@ -51,6 +51,6 @@ case class CommandLink(config: RasterConfig, depth: Int = 256, dropWhenFull: Boo
   io.status.trianglesRefused := counter(events.triangleRefused)
   io.status.incomplete       := counter(events.incomplete)
   io.status.drawn            := counter(io.jobDone)
-  io.status.error := RegInit(False) setWhen
+  io.status.error            := RegInit(False) setWhen
     (dropped || events.vertexRefused || events.triangleRefused || events.incomplete)
 }

@@ -37,14 +37,14 @@ case class CommitFifo(depth: Int = 256, margin: Int = 16) extends Component {
   // A word is read a clock after its commit at the earliest, hence never in the clock in which it is written.
   val pushing = io.push.valid && !io.full
   memory.write(written, io.push.payload, pushing)
-  when(pushing)(written := written + 1)
+  when(pushing)(written     := written + 1)
   when(io.commit)(committed := written)
   when(io.rollback)(written := committed)
 
   val valid = Reg(Bool()) init False
   val fetch = fetched =/= committed && (!valid || io.pop.ready)
   when(fetch)(fetched := fetched + 1)
-  valid          := fetch || (valid && !io.pop.ready)
-  io.pop.valid   := valid
+  valid := fetch || (valid && !io.pop.ready)
+  io.pop.valid := valid
   io.pop.payload := memory.readSync(fetched, fetch, readUnderWrite = dontCare)
 }

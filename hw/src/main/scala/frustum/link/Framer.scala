@@ -33,7 +33,7 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
 
   val state   = RegInit(stray)
   val escaped = RegInit(False)
-  val second  = Reg(Bool()) // the byte in hand is the second of its word
+  val second  = Reg(Bool())       // the byte in hand is the second of its word
   val high    = Reg(Bits(8 bits))
   val low     = Reg(Bits(8 bits)) // the byte before
   val left    = Reg(UInt(7 bits)) // payload words still to come
@@ -44,7 +44,7 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
   val isEscape = io.bytes.payload === Command.Escape && !escaped
   val plain    = io.bytes.payload ^ (escaped.asBits.resize(8) |<< log2Up(Command.EscapeXor))
   when(io.bytes.fire)(escaped := isEscape)
-  val symbols = io.bytes.throwWhen(isEscape).translateWith(isFlag ## plain).m2sPipe()
+  val symbols  = io.bytes.throwWhen(isEscape).translateWith(isFlag ## plain).m2sPipe()
   // Opcode and length are looked at for two clocks, and then judged.
   val fits   = RegNext(Command.all.map(c => RegNext(high === c.opcode) && RegNext(Framer.lengthAccepted(c, low))).orR)
   val inWord = state === stray || state === skip || state === header || state === body
@@ -58,11 +58,11 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
   val push = False
   val drop = False
   when(data)(low := byte)
-  fifo.io.push.valid   := RegNext(push) init False
+  fifo.io.push.valid := RegNext(push) init False
   fifo.io.push.payload := high ## low
-  fifo.io.commit       := False
-  io.dropped           := RegNext(drop) init False
-  fifo.io.rollback     := io.dropped // no word is pushed before the second byte from here
+  fifo.io.commit := False
+  io.dropped := RegNext(drop) init False
+  fifo.io.rollback := io.dropped // no word is pushed before the second byte from here
 
   when(data) {
     crc    := Framer.crcNext(crc, byte)
@@ -74,7 +74,7 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
       when(data) { drop := True; state := skip }
     }
     is(header)(when(data && second)(state := look))
-    is(look)(state := lookOn)
+    is(look)(state   := lookOn)
     is(lookOn)(state := judge)
     is(judge) {
       left := low.asUInt.resized
@@ -105,6 +105,7 @@ object FramerState extends SpinalEnum {
 }
 
 object Framer {
+
   /** Words free when `room` falls; some bytes of them may still be on their way through the slave. */
   val MarginWords = 16
 

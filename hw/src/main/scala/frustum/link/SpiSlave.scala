@@ -5,7 +5,7 @@ import spinal.lib._
 
 /** The host's side of the command port. `cs` is active low. */
 case class CommandPins() extends Bundle with IMasterSlave {
-  val sck, mosi, cs, miso = Bool()
+  val sck, mosi, cs, miso       = Bool()
   override def asMaster(): Unit = { out(sck, mosi, cs); in(miso) }
 }
 
@@ -36,8 +36,8 @@ case class SpiSlave() extends Component {
     val shift = Reg(Bits(7 bits))
     val bit   = Reg(UInt(3 bits)) init 0
     val index = Reg(UInt(3 bits)) init 0 // bytes of this frame, modulo 8
-    val ended = Reg(Bool()) init False // with this edge a byte ended
-    val first = Reg(Bool()) init False // the last byte that ended was the frame's first, or any 8th after it
+    val ended = Reg(Bool()) init False   // with this edge a byte ended
+    val first = Reg(Bool()) init False   // the last byte that ended was the frame's first, or any 8th after it
     shift := shift(5 downto 0) ## io.pins.mosi
     bit   := bit + 1
     ended := bit === 7

@@ -20,8 +20,8 @@ case class Store(layout: StoreLayout, clients: Int, tech: Tech) extends Componen
     val clients = Vec.fill(Store.this.clients)(slave(StoreBus(layout)))
   }
 
-  val ram     = SinglePortRam(1 << layout.addressBits, 32, tech)
-  val writer  = io.clients.last.cmd
+  val ram    = SinglePortRam(1 << layout.addressBits, 32, tech)
+  val writer = io.clients.last.cmd
   // Whoever asks now has the port in the next clock, even if what it asks for is being taken: it may ask again.
   val asking  = io.clients.map(_.cmd.valid).toSeq
   val first   = OHMasking.first(Vec(asking.updated(clients - 2, asking(clients - 2) || !asking.last)))

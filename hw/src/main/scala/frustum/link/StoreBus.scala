@@ -15,8 +15,8 @@ case class StoreCmd(layout: StoreLayout) extends Bundle {
   * stays until it is taken; a read may be withdrawn before.
   */
 case class StoreBus(layout: StoreLayout) extends Bundle with IMasterSlave {
-  val cmd = Stream(StoreCmd(layout))
-  val rsp = Flow(Bits(32 bits))
+  val cmd                       = Stream(StoreCmd(layout))
+  val rsp                       = Flow(Bits(32 bits))
   override def asMaster(): Unit = { master(cmd); slave(rsp) }
 }
 

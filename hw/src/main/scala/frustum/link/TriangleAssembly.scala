@@ -13,18 +13,18 @@ import spinal.core._
   */
 class TriangleAssembly(config: RasterConfig, tag: Bits, index: UInt, corners: Bits, arrives: Bool) extends Area {
   val arrived     = Reg(UInt(CommandDecoder.CountBits bits)) // since begin
-  val stored      = Reg(UInt(config.countBits bits)) // in the bank
+  val stored      = Reg(UInt(config.countBits bits))         // in the bank
   val renderState = Reg(Bits(4 bits))
 
-  val tagRead  = Reg(Bool()) // the word being read is that with the tag
-  val vertical = Reg(Bool())
-  val corner   = Reg(UInt(2 bits))
-  val stale    = Reg(Bool()) // a corner was not sent in this frame
-  val missed   = Reg(Bool()) // the screen, horizontally
+  val tagRead       = Reg(Bool()) // the word being read is that with the tag
+  val vertical      = Reg(Bool())
+  val corner        = Reg(UInt(2 bits))
+  val stale         = Reg(Bool()) // a corner was not sent in this frame
+  val missed        = Reg(Bool()) // the screen, horizontally
   val firstX, lastX = Reg(UInt(5 bits))
 
   private val bits = config.ranges.positionBits
-  val box = TriangleBox(config)
+  val box          = TriangleBox(config)
   box.io.clear              := False
   box.io.vertical           := vertical
   box.io.coordinate.valid   := arrives && !tagRead
@@ -49,8 +49,8 @@ class TriangleAssembly(config: RasterConfig, tag: Bits, index: UInt, corners: Bi
   }
 
   def answer(): Unit = {
-    tagRead := !vertical && !tagRead
-    when(cornerDone)(corner := corner + 1)
+    tagRead                              := !vertical && !tagRead
+    when(cornerDone)(corner                              := corner + 1)
     when(tagRead && corners(31 downto 25) =/= tag)(stale := True)
     if (config.maxVertices < 1024) stale setWhen (index >= config.maxVertices)
   }

@@ -14,12 +14,12 @@ import spinal.lib._
   */
 case class TriangleBox(config: RasterConfig) extends Component {
   val pixelBits = log2Up(config.width.max(config.height) + 1)
-  val io = new Bundle {
+  val io        = new Bundle {
     val clear      = in Bool ()
-    val vertical   = in Bool () // the axis, steady from `clear` on
+    val vertical   = in Bool ()                                         // the axis, steady from `clear` on
     val coordinate = slave(Flow(SInt(config.ranges.positionBits bits))) // 1/16 pixel
     val firstX, lastX, firstY, lastY = out UInt (5 bits) // of the axis in hand; the other pair means nothing
-    val empty      = out Bool () // no pixel centre on the screen
+    val empty                        = out Bool ()       // no pixel centre on the screen
   }
 
   val limit = Mux(io.vertical, U(config.height, pixelBits bits), U(config.width, pixelBits bits))
@@ -40,7 +40,7 @@ case class TriangleBox(config: RasterConfig) extends Component {
   position := (pixel +^ (fraction > 8).asUInt).resize(pixelBits)
   onCentre := fraction === 8 && !left && !right
   when(right)(position := limit)
-  when(left)(position := 0)
+  when(left)(position  := 0)
   when(!taken) {
     position := least
     onCentre := True
@@ -48,7 +48,7 @@ case class TriangleBox(config: RasterConfig) extends Component {
 
   val beyond = (position @@ onCentre.asUInt) > greatest
   when(clipped && position < least)(least := position)
-  when(clipped && beyond)(greatest := position @@ onCentre.asUInt)
+  when(clipped && beyond)(greatest        := position @@ onCentre.asUInt)
   when(io.clear) {
     least.setAll()
     greatest.clearAll()

@@ -73,17 +73,17 @@ case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic, f
 
   val ray            = RayPipeline(RayConfig(scene, mode, fast), tech)
   private val ticked = PongGame.TickClocks + 2 // clocks until a tick that `frameEnd` starts is done
-  ray.io.latch                                  := Delay(scanner.io.frameEnd, ticked, init = False)
-  ray.io.line                                   := scanner.io.line
-  ray.io.up.valid                               := scanner.io.active
+  ray.io.latch    := Delay(scanner.io.frameEnd, ticked, init = False)
+  ray.io.line     := scanner.io.line
+  ray.io.up.valid := scanner.io.active
   for (a <- 0 to 2) {
-    ray.io.motion.spheres(0)(a) := game.io.puck(a)
+    ray.io.motion.spheres(0)(a)                                       := game.io.puck(a)
     for (i <- scene.spheres.indices.tail) ray.io.motion.spheres(i)(a) := S(scene.spheres(i).low(a), 12 bits)
     for (i <- scene.quads.indices.tail) ray.io.motion.quads(i)(a)     := S(scene.quads(i).low(a), 12 bits)
   }
-  ray.io.motion.quads(0).x                      := game.io.paddleX
-  ray.io.motion.quads(0).y                      := game.io.paddleY
-  ray.io.motion.quads(0).z                      := scene.quads(0).low.z
+  ray.io.motion.quads(0).x := game.io.paddleX
+  ray.io.motion.quads(0).y := game.io.paddleY
+  ray.io.motion.quads(0).z := scene.quads(0).low.z
 
   val overlay =
     TextOverlay(Seq(config.score, config.message), log2Up(scala.math.max(mode.hTotal, mode.vTotal)))

@@ -25,8 +25,10 @@ case class RasterPipeline(config: RasterConfig, slots: Int = 6, dropWhenFull: Bo
     val bytes  = slave(Stream(Bits(8 bits)))
     val pixels = master(Stream(ResolvedPixel(config)))
     val status = out(LinkStatus())
+
     /** A triangle was set up whole, or moved to a tile: for measurements. */
     val setUp, moved = out Bool ()
+
     /** A frame is being drawn; low for a clock at least between frames. Its last pixels may follow. */
     val drawing = out Bool ()
   }
@@ -41,7 +43,7 @@ case class RasterPipeline(config: RasterConfig, slots: Int = 6, dropWhenFull: Bo
   // The resolver takes a tile's position when the tile is drawn; the rasterizer goes on to the next long before.
   rasterizer.io.tile.m2sPipe().m2sPipe() >> fragments.io.tile
   rasterizer.io.down >> fragments.io.up
-  fragments.io.state := rasterizer.io.state
+  fragments.io.state     := rasterizer.io.state
   rasterizer.io.draining := fragments.io.busy
   fragments.io.pixels >> io.pixels
 
@@ -49,15 +51,15 @@ case class RasterPipeline(config: RasterConfig, slots: Int = 6, dropWhenFull: Bo
   // that the decoder can go on with the next.
   val job     = link.io.job.halfPipe()
   val started = RegInit(False) setWhen fragments.io.start.fire clearWhen job.fire
-  fragments.io.start.valid := job.valid && !started
+  fragments.io.start.valid      := job.valid && !started
   fragments.io.start.clearColor := job.clearColor
-  rasterizer.io.frame.valid := job.valid && started
-  rasterizer.io.frame.payload := job.payload
-  job.ready := rasterizer.io.frame.ready
-  link.io.jobDone := job.fire
+  rasterizer.io.frame.valid     := job.valid && started
+  rasterizer.io.frame.payload   := job.payload
+  job.ready                     := rasterizer.io.frame.ready
+  link.io.jobDone               := job.fire
 
-  io.status := link.io.status
-  io.setUp := rasterizer.io.setUp
-  io.moved := rasterizer.io.moved
+  io.status  := link.io.status
+  io.setUp   := rasterizer.io.setUp
+  io.moved   := rasterizer.io.moved
   io.drawing := job.valid
 }

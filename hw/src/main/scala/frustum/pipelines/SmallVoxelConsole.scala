@@ -32,10 +32,10 @@ case class SmallVoxelConsole(
   }
   private val clockHz = ClockDomain.current.frequency.getValue.toLong
   val screen          = WholeScreen(c.width, c.height)
-  val uart     = UartCtrl(UartCtrlInitConfig(baud, 7, UartParityType.NONE, UartStopType.ONE), readonly = true)
-  val host     = SerialHost(c, silence = (clockHz * VoxelHostCommand.SilenceMicros / 1000000).toInt)
-  val pipeline = SmallVoxelPipeline(c, assets, camera, tech)
-  val display  = SpiDisplay(screen, panel, clockHz, clocksPerBit, fast, tech)
+  val uart            = UartCtrl(UartCtrlInitConfig(baud, 7, UartParityType.NONE, UartStopType.ONE), readonly = true)
+  val host            = SerialHost(c, silence = (clockHz * VoxelHostCommand.SilenceMicros / 1000000).toInt)
+  val pipeline        = SmallVoxelPipeline(c, assets, camera, tech)
+  val display         = SpiDisplay(screen, panel, clockHz, clocksPerBit, fast, tech)
 
   /** The receiver looks eight times a bit. */
   val looks = clockHz.toDouble / baud / 8

@@ -58,7 +58,7 @@ case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech) extends Componen
     player.io.frame   := go && !byHost
     pipeline.io.start := go && byHost || player.io.done
     drawn clearWhen swap setWhen pipeline.io.start
-    frames.io.swap    := swap
+    frames.io.swap := swap
 
     when(host.io.camera.valid) {
       byHost    := True
@@ -110,8 +110,8 @@ case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech) extends Componen
 
   /** Colours as the pins have them. */
   val written = new Area {
-    val pixel                          = RegNext(pipeline.io.pixels.payload)
-    private def pins(v: UInt, n: Int)  =
+    val pixel                         = RegNext(pipeline.io.pixels.payload)
+    private def pins(v: UInt, n: Int) =
       if (config.color.gamma == 1) v(7 downto 8 - n) else Vec((0 to 255).map(i => U(config.color.channel(i, n), n bits)))(v)
     frames.io.write.valid   := RegNext(pipeline.io.pixels.valid, False)
     frames.io.write.address := pixel.pixel.resized
@@ -120,8 +120,8 @@ case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech) extends Componen
 
   /** Pictures of the last second, two digits. */
   val rate = new Area {
-    val second            = Counter(VoxelReadout.Second, blank)
-    val tens, ones        = Reg(UInt(4 bits)) init 0
+    val second     = Counter(VoxelReadout.Second, blank)
+    val tens, ones = Reg(UInt(4 bits)) init 0
     when(turn.swap) {
       ones := ones + 1
       when(ones === 9) {
@@ -141,10 +141,13 @@ case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech) extends Componen
     val mine   = RegNextWhen(!turn.byHost, pipeline.io.start, False)
     val item   = RegNextWhen(RegNextWhen(player.io.item, pipeline.io.start), turn.swap) init 0
     val length = config.readout.item.length
-    val names  = Mem(Bits(length * Font.CodeBits bits), (0 until 1 << item.getWidth).map { id =>
-      val name = if (assets.table.ids.contains(id)) config.readout.name(id) else " " * length
-      B(name.zipWithIndex.map { case (letter, i) => BigInt(Font.code(letter)) << i * Font.CodeBits }.sum, length * Font.CodeBits bits)
-    })
+    val names  = Mem(
+      Bits(length * Font.CodeBits bits),
+      (0 until 1 << item.getWidth).map { id =>
+        val name = if (assets.table.ids.contains(id)) config.readout.name(id) else " " * length
+        B(name.zipWithIndex.map { case (letter, i) => BigInt(Font.code(letter)) << i * Font.CodeBits }.sum, length * Font.CodeBits bits)
+      }
+    )
     private def digit(d: UInt) = U(Font.code('0'), Font.CodeBits bits) | d.resized
     scan.io.marked  := RegNextWhen(mine, turn.swap, False)
     scan.io.text(0) := Vec(rate.shown.subdivideIn(4 bits).reverse.map(d => digit(d.asUInt)))

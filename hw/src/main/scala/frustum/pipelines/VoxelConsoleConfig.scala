@@ -30,7 +30,7 @@ final case class VoxelConsoleConfig(
     ))
   require(divider >= 4, s"a monitor's pixel every $divider clocks; a frame buffer's answer takes 4")
 
-  val format: ColorFormat    = color.format
+  val format: ColorFormat = color.format
 
   /** Of the world and of the two pictures. */
   val memoryBits: Int        = voxel.size.blocks * voxel.leaps.wordBits + 2 * voxel.pixels * format.bits

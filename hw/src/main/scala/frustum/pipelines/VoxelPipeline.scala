@@ -62,9 +62,9 @@ case class VoxelPipeline(
   memory.io.write << io.edit.haltWhen(io.busy).toFlow.stage() // written before the first ray can read
 
   val pick = FacePicker(c, kinds, MarcherStages.Fast.slots, reach)
-  pick.io.start     := rays.io.start
+  pick.io.start := rays.io.start
   pick.io.hits << texels.io.down
-  rays.io.picked    := pick.io.picked
+  rays.io.picked                                   := pick.io.picked
   io.pointedAt                                     := pick.io.found
   composite.io.pointedAt                           := pick.io.found
   composite.io.pointedAt.valid.removeAssignments() := pick.io.found.valid && io.highlight

@@ -23,12 +23,12 @@ case class CoefficientWriter(slots: Int) extends Component {
   val writing = RegInit(False)
   io.write.valid := writing
   io.write.plane := plane
-  io.write.slot := io.slot
+  io.write.slot  := io.slot
   io.write.entry := entry
   io.write.value := value
 
   writing := both
-  both := False
+  both    := False
   when(both) {
     entry := Coefficient.Left
     value := ~value
@@ -36,10 +36,10 @@ case class CoefficientWriter(slots: Int) extends Component {
   when(io.result.valid) {
     def begin(kind: Result, at: UInt, mirrored: Boolean): Unit = when(io.result.kind === kind.code) {
       writing := True
-      value := io.result.value
-      plane := io.result.target.resized
-      entry := at
-      both := Bool(mirrored)
+      value   := io.result.value
+      plane   := io.result.target.resized
+      entry   := at
+      both    := Bool(mirrored)
     }
     begin(GradientX(0), U(Coefficient.Right, 3 bits), mirrored = true)
     begin(GradientY(0), U(Coefficient.Down, 3 bits), mirrored = false)

@@ -29,20 +29,20 @@ case class EdgeWalker(config: RasterConfig) extends Component {
   val io = new Bundle {
     val lastColumn = in UInt (config.tileLog2Width bits) // of the tile that lie on the screen
     val lastRow    = in UInt (config.tileLog2Height bits)
-    val step   = slave Flow (SInt(17 bits))
-    val edge   = slave Flow (new Bundle { val index = UInt(2 bits); val value = SInt(32 bits) })
-    val start  = in Bool ()
-    val idle   = out Bool ()
-    val up     = master Stream (Span(config))
+    val step       = slave Flow (SInt(17 bits))
+    val edge       = slave Flow (new Bundle { val index = UInt(2 bits); val value = SInt(32 bits) })
+    val start      = in Bool ()
+    val idle       = out Bool ()
+    val up         = master Stream (Span(config))
   }
 
   object State extends SpinalEnum { val Idle, Prime, Seek, Show, End = newElement() }
-  val state    = RegInit(State.Idle)
-  val priming  = state === State.Prime
-  val seeking  = state === State.Seek
-  val turning  = priming || seeking
-  val loading  = io.edge.valid
-  val stepIsY  = RegInit(False) toggleWhen io.step.valid
+  val state      = RegInit(State.Idle)
+  val priming    = state === State.Prime
+  val seeking    = state === State.Seek
+  val turning    = priming || seeking
+  val loading    = io.edge.valid
+  val stepIsY    = RegInit(False) toggleWhen io.step.valid
   val lastColumn = RegNextWhen(io.lastColumn, io.start)
   val lastRow    = RegNextWhen(io.lastRow, io.start)
   val row        = Reg(UInt(config.tileLog2Height bits))
@@ -54,28 +54,28 @@ case class EdgeWalker(config: RasterConfig) extends Component {
   }
   // Steps enter at b and values at c; `start` moves the steps on to where their values are.
   private val stepBits = config.ranges.stepBits
-  val slope    = Ring(SInt(stepBits bits), turning || io.start || io.step.valid && !stepIsY) // per pixel to the right
-  val descent  = Ring(SInt(stepBits bits), turning || io.start || io.step.valid && stepIsY)  // per row
+  val slope            = Ring(SInt(stepBits bits), turning || io.start || io.step.valid && !stepIsY) // per pixel to the right
+  val descent          = Ring(SInt(stepBits bits), turning || io.start || io.step.valid && stepIsY)  // per row
   when(io.step.valid) {
     when(!stepIsY) { slope.b := io.step.payload.resized } otherwise { descent.b := io.step.payload.resized }
   }
   val turn     = turning || loading
   val value    = Ring(SInt(config.ranges.edgeBits bits), turn) // at the pixel of `position`, or, if `back`, at the one outside of it
   val position = Ring(UInt(config.tileLog2Width bits), turn)
-  val back     = Ring(Bool(), turn)        // not yet primed: the value's sixteenths are zero
-  val parity   = Ring(Bool(), turn)        // of the row that the edge works on
+  val back     = Ring(Bool(), turn)                            // not yet primed: the value's sixteenths are zero
+  val parity   = Ring(Bool(), turn)                            // of the row that the edge works on
   when(loading) {
-    value.c := (io.edge.value >> 4).resized
+    value.c    := (io.edge.value >> 4).resized
     position.c := 0
-    back.c := io.edge.value(3 downto 0) === 0
-    parity.c := False
+    back.c     := io.edge.value(3 downto 0) === 0
+    parity.c   := False
   }
 
   // Between b and c: whether the edge can move no further. A flat one never moves.
   val isFlat = slope.b === 0
   val atEnd  = (slope.b.msb ^ back.b) ? (position.b === 0) | position.b.andR
-  val flat  = RegNextWhen(isFlat, slope.turn)
-  val stop  = RegNextWhen(isFlat || atEnd, turn)
+  val flat   = RegNextWhen(isFlat, slope.turn)
+  val stop   = RegNextWhen(isFlat || atEnd, turn)
 
   // Between c and a: what to do. An edge moves inwards where its value is negative. Once it is inside and can only move
   // outwards from row to row, it looks at the pixel outside of its own, and moves outwards where that is not negative.
@@ -95,33 +95,33 @@ case class EdgeWalker(config: RasterConfig) extends Component {
   val primer = (priming && fromRight) ? lastColumn | U(lastColumn.range -> (shifts && !add))
   when(turn) {
     position.a := ((position.c @@ True) + (primer @@ (shifts && add))) >> 1
-    back.a := back.c && !priming || moves && !negative
-    parity.a := parity.c ^ finishes
-    value.b := ((value.a ## True).asSInt + (addend ## carry).asSInt) >> 1
+    back.a     := back.c && !priming || moves && !negative
+    parity.a   := parity.c ^ finishes
+    value.b    := ((value.a ## True).asSInt + (addend ## carry).asSInt) >> 1
   }
 
   // The edges' innermost positions in the row.
-  val shown  = False
-  val clear  = priming || shown
+  val shown       = False
+  val clear       = priming || shown
   val first, last = Reg(UInt(config.tileLog2Width bits))
-  val none   = Reg(Bool()) // no pixel is left
-  val inner  = (position.c > (fromRight ? last | first)) ^ fromRight
-  val beyond = fromRight ? (position.c < first) | (position.c > last)
+  val none        = Reg(Bool()) // no pixel is left
+  val inner       = (position.c > (fromRight ? last | first)) ^ fromRight
+  val beyond      = fromRight ? (position.c < first) | (position.c > last)
   when(clear) {
     first := 0
-    last := lastColumn
-    none := False
+    last  := lastColumn
+    none  := False
   } elsewhen (finishes) {
     when(inner && !fromRight) { first := position.c }
     when(inner && fromRight) { last := position.c }
     when(negative && !back.c || beyond) { none := True }
   }
-  io.up.y := row
+  io.up.y     := row
   io.up.first := first
-  io.up.last := last
-  io.up.end := state === State.End
+  io.up.last  := last
+  io.up.end   := state === State.End
   io.up.valid := state === State.Show && !none || state === State.End
-  io.idle := state === State.Idle
+  io.idle     := state === State.Idle
 
   switch(state) {
     is(State.Idle) {
@@ -138,7 +138,7 @@ case class EdgeWalker(config: RasterConfig) extends Component {
     is(State.Show) {
       when(io.up.ready || none) {
         shown := True
-        row := row + 1
+        row   := row + 1
         state := (row === lastRow) ? State.End | State.Seek
       }
     }

@@ -42,26 +42,26 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
     val leftwards = Bool() // the row's direction
     val seekLeft  = Bool() // the direction from the row before to `near`
   }
-  val rows = Stream(Row())
-  val row  = rows.s2mPipe().m2sPipe() // no way of ready leads through
+  val rows      = Stream(Row())
+  val row       = rows.s2mPipe().m2sPipe() // no way of ready leads through
   val leftwards = RegInit(False)
   when(rows.fire) { leftwards := !leftwards && !rows.end }
   rows.arbitrationFrom(io.spans)
-  rows.y := io.spans.y
-  rows.near := leftwards ? io.spans.last | io.spans.first
-  rows.far := leftwards ? io.spans.first | io.spans.last
-  rows.end := io.spans.end
+  rows.y         := io.spans.y
+  rows.near      := leftwards ? io.spans.last | io.spans.first
+  rows.far       := leftwards ? io.spans.first | io.spans.last
+  rows.end       := io.spans.end
   rows.leftwards := leftwards
-  rows.seekLeft := rows.near < RegNextWhen(rows.far, rows.fire)
+  rows.seekLeft  := rows.near < RegNextWhen(rows.far, rows.fire)
 
   // Clock 1 of a move: the coefficient is asked for.
   val x       = Reg(UInt(config.tileLog2Width bits))
   val y       = Reg(UInt(config.tileLog2Height bits))
-  val moving  = RegInit(False) // a triangle is being drawn: clock 2 of its last move, to (x, y)
-  val drawing = Reg(Bool())    // the move before was a fragment of the same row
-  val ending  = RegInit(False) // clock 2 of a tile's end
-  val free    = Bool()         // the register of `down` is
-  val advance = free && row.valid // a move goes from clock 2 to the register of `down`
+  val moving  = RegInit(False)             // a triangle is being drawn: clock 2 of its last move, to (x, y)
+  val drawing = Reg(Bool())                // the move before was a fragment of the same row
+  val ending  = RegInit(False)             // clock 2 of a tile's end
+  val free    = Bool()                     // the register of `down` is
+  val advance = free && row.valid          // a move goes from clock 2 to the register of `down`
   val atY     = y === row.y
   val reached = drawing || x === row.near
   val atFar   = x === row.far
@@ -71,16 +71,16 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   val finish  = moving && row.end
   val toLeft  = reached ? row.leftwards | row.seekLeft
   // Coefficient.Left or Right, Down, or an Initial one
-  val entry   = (moving && !inRow) ## (moving && inRow) ## (moving ? (inRow && toLeft) | io.token.parity)
-  val starts  = !moving && !ending && io.token.valid && !io.token.tileEnd && row.valid
-  val ends    = !moving && !ending && io.token.valid && io.token.tileEnd
-  val moves   = (moving || starts) && advance
+  val entry  = (moving && !inRow) ## (moving && inRow) ## (moving ? (inRow && toLeft) | io.token.parity)
+  val starts = !moving && !ending && io.token.valid && !io.token.tileEnd && row.valid
+  val ends   = !moving && !ending && io.token.valid && io.token.tileEnd
+  val moves  = (moving || starts) && advance
   io.token.ready := finish && advance || ends
-  row.ready := moving && free && (row.end || rowDone)
+  row.ready      := moving && free && (row.end || rowDone)
   when(ends) { ending := True }
   when(ending && free) { ending := False }
   when(moves) {
-    moving := !finish
+    moving  := !finish
     drawing := moving && covered && !rowDone
     when(!moving) {
       x := io.token.x
@@ -94,7 +94,7 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
 
   // Clock 2: it is added. In place of the move that the end mark followed, the planes become zero: the next move brings
   // another triangle's first value.
-  val complement = RegNextWhen(moving && inRow && toLeft, moves) // the step to the left lacks one
+  val complement                    = RegNextWhen(moving && inRow && toLeft, moves) // the step to the left lacks one
   private def fullWidth(plane: Int) =
     if (plane < SetupWords.PlaneQ) config.ranges.coordinateBits else if (plane <= SetupWords.PlaneZ) 32 else 16
   val planes = for (plane <- config.fixed.planes) yield new Area {
@@ -108,7 +108,7 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
       io.write.valid && io.write.plane === plane
     )
     val coefficient = memory.readSync(io.token.slot @@ entry.asUInt, enable = moves, readUnderWrite = dontCare)
-    val value = RegInit(S(0, width bits))
+    val value       = RegInit(S(0, width bits))
     when(moving && advance) {
       value := value + coefficient + complement.asUInt.resize(width).asSInt
       when(row.end) { value := 0 }
@@ -118,18 +118,26 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   val valid   = RegInit(False)
   val tileEnd = Reg(Bool())
   when(free) {
-    valid := moving && row.valid && !row.end && covered || ending
+    valid   := moving && row.valid && !row.end && covered || ending
     tileEnd := ending
   }
-  free := !valid || io.down.ready
-  io.busy := io.token.valid || moving || ending || valid
-  io.down.valid := valid
-  io.down.x := RegNextWhen(x, advance)
-  io.down.y := RegNextWhen(y, advance)
+  free            := !valid || io.down.ready
+  io.busy         := io.token.valid || moving || ending || valid
+  io.down.valid   := valid
+  io.down.x       := RegNextWhen(x, advance)
+  io.down.y       := RegNextWhen(y, advance)
   io.down.tileEnd := tileEnd
   import SetupWords._
-  Seq(PlaneS -> io.down.s, PlaneT -> io.down.t, PlaneQ -> io.down.q, PlaneZ -> io.down.z,
-    PlaneR -> io.down.r, PlaneG -> io.down.g, PlaneB -> io.down.b, PlaneA -> io.down.a)
+  Seq(
+    PlaneS -> io.down.s,
+    PlaneT -> io.down.t,
+    PlaneQ -> io.down.q,
+    PlaneZ -> io.down.z,
+    PlaneR -> io.down.r,
+    PlaneG -> io.down.g,
+    PlaneB -> io.down.b,
+    PlaneA -> io.down.a
+  )
     .foreach { case (plane, to) =>
       val made = config.fixed.planes.indexOf(plane)
       if (made < 0) to := 0 else to := (planes(made).value << planes(made).dropped).resize(to.getWidth)

@@ -10,7 +10,7 @@ import spinal.lib._
   */
 case class RenderStateLoader(config: RasterConfig, slots: Int) extends Component {
   val layout = StoreLayout(config)
-  val io = new Bundle {
+  val io     = new Bundle {
     val flush   = in Bool () // a new frame: its states are to be read
     val bank    = in UInt (1 bits)
     val busy    = in Bool () // fragments in flight
@@ -37,17 +37,17 @@ case class RenderStateLoader(config: RasterConfig, slots: Int) extends Component
     io.down << up.continueWhen(passes)
     io.current := current.fixed(config.fixed)
 
-    val asking  = RegInit(False) // until the answer
-    val start   = up.valid && !right && !io.busy && !asking
-    io.store.cmd.valid := RegInit(False) setWhen start clearWhen io.store.cmd.fire
-    io.store.cmd.write := False
-    io.store.cmd.data := 0
+    val asking = RegInit(False) // until the answer
+    val start  = up.valid && !right && !io.busy && !asking
+    io.store.cmd.valid   := RegInit(False) setWhen start clearWhen io.store.cmd.fire
+    io.store.cmd.write   := False
+    io.store.cmd.data    := 0
     io.store.cmd.address := io.bank @@ (U(layout.states, layout.bankAddressBits bits) + up.state)
     asking.setWhen(start)
     when(asking && io.store.rsp.valid) {
       asking := False
       current.assignFromBits(io.store.rsp.payload.rotateLeft(16)) // the store has the first word in the upper half
-      index := up.state
+      index  := up.state
       loaded := True
     }
     loaded.clearWhen(io.flush)

@@ -18,7 +18,8 @@ case class RenderStateWord() extends Bundle {
   val alphaRef      = UInt(5 bits)
 
   /** With constants for the bits that are. */
-  def fixed(f: FixedState): RenderStateWord = if (f == FixedState.None) this else {
+  def fixed(f: FixedState): RenderStateWord = if (f == FixedState.None) this
+  else {
     val bits = asBits.asBools.zipWithIndex.map { case (bit, i) =>
       if ((f.mask >> i & 1) == 0) bit else Bool((f.value >> i & 1) == 1)
     }

@@ -29,7 +29,7 @@ case class FetchRow() extends Bundle {
   */
 case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = SetupWords.AllPlanes) extends Component {
   val layout = StoreLayout(config)
-  val io = new Bundle {
+  val io     = new Bundle {
     val start    = in Bool ()
     val program  = in UInt (6 bits) // 0: vertices
     val idle     = out Bool ()
@@ -44,13 +44,13 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
   }
 
   object State extends SpinalEnum { val Idle, Vertices, Exponents, Read, Wait, Write = newElement() }
-  val state   = RegInit(State.Idle)
-  val row     = Reg(UInt(6 bits))
-  val nextRow = UInt(6 bits)
-  val vertex  = row(5 downto 4)
+  val state      = RegInit(State.Idle)
+  val row        = Reg(UInt(6 bits))
+  val nextRow    = UInt(6 bits)
+  val vertex     = row(5 downto 4)
   val lastVertex = vertex.msb
   nextRow := row
-  row := nextRow
+  row     := nextRow
   val start   = RegNext(io.start, False)
   val program = RegNext(io.program)
   val resting = state === State.Idle && !start
@@ -58,8 +58,8 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
 
   // The table: the programs, then the spare rows.
   val firstSpare = FetchProgram.Rows
-  val rows  = firstSpare + (1 << log2Up(spareRows))
-  val table = Mem(Bits(FetchProgram.RowBits bits), rows)
+  val rows       = firstSpare + (1 << log2Up(spareRows))
+  val table      = Mem(Bits(FetchProgram.RowBits bits), rows)
   table.init(FetchProgram.image(planes).padTo(rows, 0).map(B(_, FetchProgram.RowBits bits)))
   table.addAttribute("ram_style", "block")
   def spare(address: UInt) = U(firstSpare, log2Up(rows) bits) | address.resize(log2Up(rows))
@@ -80,22 +80,22 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
 
   // Store reads: the vertices' indices, the three exponents, then word after word of each vertex. Indices and exponents
   // go round, the vertex at hand first.
-  val indices   = Vec.fill(3)(Reg(UInt(config.vertexBits bits)))
-  val exponents = Vec.fill(3)(Reg(UInt(5 bits)))
+  val indices                             = Vec.fill(3)(Reg(UInt(config.vertexBits bits)))
+  val exponents                           = Vec.fill(3)(Reg(UInt(5 bits)))
   def turn[T <: Data](ring: Vec[T]): Unit = { ring(0) := ring(1); ring(1) := ring(2); ring(2) := ring(0) }
-  val index     = indices(0).resize(layout.bankAddressBits)
-  val ask       = False // the address follows a clock later
-  val asking    = RegInit(False) clearWhen io.store.cmd.fire setWhen RegNext(ask, False)
-  val wanted    = (state === State.Exponents) ? U(FetchProgram.ExponentWord, 3 bits) | action.word
-  val response  = io.store.rsp
+  val index                               = indices(0).resize(layout.bankAddressBits)
+  val ask                                 = False // the address follows a clock later
+  val asking                              = RegInit(False) clearWhen io.store.cmd.fire setWhen RegNext(ask, False)
+  val wanted                              = (state === State.Exponents) ? U(FetchProgram.ExponentWord, 3 bits) | action.word
+  val response                            = io.store.rsp
   io.store.cmd.valid := asking
   io.store.cmd.write := False
-  io.store.cmd.data := 0
+  io.store.cmd.data  := 0
   val ofVertex   = (index |<< 2) + index + wanted
   val ofTriangle = U(layout.triangles, layout.bankAddressBits bits) + (io.triangle << 1).resize(layout.bankAddressBits)
   io.store.cmd.address := io.bank @@ RegNext((state === State.Vertices) ? ofTriangle | ofVertex)
-  val largest    = Reg(UInt(5 bits))
-  val arriving   = response.payload(31 downto 27).asUInt
+  val largest  = Reg(UInt(5 bits))
+  val arriving = response.payload(31 downto 27).asUInt
 
   val data = Reg(Bits(32 bits)) // a store word; the next field is always at its top
 
@@ -110,9 +110,9 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
     val pixel = last.asBits & of(1) #* widthOf(last) | covered.asBits & of(2) #* widthOf(covered)
     (tile @@ pixel.asUInt @@ U(8, 4 bits)).resize(14)
   }
-  val column = centre(values.tileX, values.lastColumn, values.coveredX)
-  val line   = centre(values.tileY, values.lastRow, values.coveredY)
-  val top16  = data(31 downto 16)
+  val column  = centre(values.tileX, values.lastColumn, values.coveredX)
+  val line    = centre(values.tileY, values.lastRow, values.coveredY)
+  val top16   = data(31 downto 16)
   val minuend = RegNext(
     Seq[(Field.Value, BitVector)](
       Field.Position -> top16.asSInt.resize(32),
@@ -126,9 +126,9 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
   )
   val difference = RegNext(minuend - io.readData)
   val raise      = Delay(action.upper, 2)
-  val behind  = RegNext(largest - exponents(0))
-  val place   = RegNext(RegNext(isField(Field.Scale)) ? behind | values.place)
-  val isPower = Delay(working && (isField(Field.Scale) || isField(Field.Power)), 2, init = False)
+  val behind     = RegNext(largest - exponents(0))
+  val place      = RegNext(RegNext(isField(Field.Scale)) ? behind | values.place)
+  val isPower    = Delay(working && (isField(Field.Scale) || isField(Field.Power)), 2, init = False)
   // Bit 30 - n for place n, and bit 0 for place 31 too, from lines for the upper and the lower bits of ~n.
   val group = (~place)(4 downto 2)
   val lines = B((0 to 7).map(isPower && group === _))
@@ -136,23 +136,23 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
   val bits  = (0 to 31).map(n => lines(n / 4) && four(n % 4))
   val power = B((bits(0) || bits(1)) +: bits.drop(2) :+ False)
   io.write.valid := Delay(working && action.fields.orR, 3, init = False)
-  io.write.word := Delay(action.target, 3)
-  io.write.data := RegNext((raise ? (difference |<< 16) | difference) | power.asSInt)
+  io.write.word  := Delay(action.target, 3)
+  io.write.data  := RegNext((raise ? (difference |<< 16) | difference) | power.asSInt)
 
   switch(state) {
     is(State.Idle) {
       nextRow := program
       largest := 0
       when(start) {
-        ask := !program.msb
+        ask   := !program.msb
         state := program.msb ? State.Write | State.Vertices
       }
     }
     is(State.Vertices) {
       when(response.valid) {
         for (v <- 0 to 2) indices(v) := response.payload(20 - 10 * v, config.vertexBits bits).asUInt
-        state := State.Exponents
-        ask := True
+        state                        := State.Exponents
+        ask                          := True
       }
     }
     is(State.Exponents) {
@@ -163,7 +163,7 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
         exponents(2) := arriving
         when(arriving > largest) { largest := arriving }
         nextRow(5 downto 4) := lastVertex ? U(0) | vertex + 1
-        ask := True
+        ask                 := True
         when(lastVertex) { state := State.Read }
       }
     }
@@ -177,7 +177,7 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
       when(action.take) { data := data |<< 8 }
       when(action.lastOfWord) {
         state := State.Read
-        ask := True
+        ask   := True
       }
       when(action.last) {
         nextRow := (vertex + 1) @@ U(0, 4 bits)
@@ -185,7 +185,7 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
         turn(exponents)
         when(row.msb) { // vertex 2, or another program
           state := State.Idle
-          ask := False
+          ask   := False
         }
       }
     }

@@ -33,8 +33,8 @@ case class FormWalker(form: RayForm, program: RayProgram, fast: Boolean = false)
 
   /** A register that adds `by` when `moves`, and what it is after `clear` (and `again`). */
   private def sum(moves: Bool, by: SInt, first: SInt, again: Bool = False): SInt = {
-    val r                  = Reg(SInt(form.width bits))
-    when(moves)(r                  := r + by)
+    val r          = Reg(SInt(form.width bits))
+    when(moves)(r          := r + by)
     when(clear || again)(r := first)
     r
   }

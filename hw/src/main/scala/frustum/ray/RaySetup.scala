@@ -24,11 +24,11 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
     val load        = out(RayRowLoad(program))
     val busy        = out Bool ()
   }
-  private val width       = digits * digitBits
-  private val addressBits = log2Up(size)
-  private val bitBits     = log2Up(width)
-  private val digitLog    = log2Up(digitBits)
-  private val steps       = frame ++ row
+  private val width                       = digits * digitBits
+  private val addressBits                 = log2Up(size)
+  private val bitBits                     = log2Up(width)
+  private val digitLog                    = log2Up(digitBits)
+  private val steps                       = frame ++ row
   private def late[T <: Data](that: T): T = if (fast) RegNext(that) else that
   require(!row.exists(_.op == RayStep.Multiply), "a row's steps are additions")
 
@@ -48,9 +48,9 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
       s.b                     -> addressBits
     )
       .foldLeft(BigInt(0)) { case (word, (v, bits)) => word << bits | v }
-  val steprom     = Mem(Bits(2 + bitBits + 3 * addressBits bits), steps.size).initBigInt(steps.map(encoded))
-  val pc, end     = Reg(UInt(log2Up(steps.size + 1) bits))
-  val instruction = late(steprom.readSync(pc.resize(log2Up(steps.size))))
+  val steprom                     = Mem(Bits(2 + bitBits + 3 * addressBits bits), steps.size).initBigInt(steps.map(encoded))
+  val pc, end                     = Reg(UInt(log2Up(steps.size + 1) bits))
+  val instruction                 = late(steprom.readSync(pc.resize(log2Up(steps.size))))
   private def address(place: Int) = instruction(place * addressBits, addressBits bits).asUInt
   private val (b, a, to)          = (address(0), address(1), address(2))
   private val topBit              = instruction(3 * addressBits, bitBits bits).asUInt
@@ -75,19 +75,19 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
     val top                             = Reg(Bool()) // the multiplier's highest bit, which counts negative
   }
   val due = new Area {
-    val start    = late(now.start)
-    val bit      = late(now.bit)
-    val first    = late(now.first)
-    val second   = late(now.second)
-    val take     = late(now.take)
-    val top      = late(now.top)
-    val at       = late(place)
-    val bitAt    = late(bitPlace.resize(digitLog))
-    val digit    = late(digitOf(read))
-    private val n = count.resize(log2Up(inputs.size.max(2)))
+    val start                        = late(now.start)
+    val bit                          = late(now.bit)
+    val first                        = late(now.first)
+    val second                       = late(now.second)
+    val take                         = late(now.take)
+    val top                          = late(now.top)
+    val at                           = late(place)
+    val bitAt                        = late(bitPlace.resize(digitLog))
+    val digit                        = late(digitOf(read))
+    private val n                    = count.resize(log2Up(inputs.size.max(2)))
     private def ofInputs(f: => Bits) = if (inputs.isEmpty) B(0, 0 bits) else late(f)
-    val taken    = ofInputs(digitOf(Vec(io.inputs.map(_.resize(width).asBits)).read(n)))
-    val takenTo  = ofInputs(Vec(inputs.map(i => B(i.address, addressBits bits))).read(n))
+    val taken                        = ofInputs(digitOf(Vec(io.inputs.map(_.resize(width).asBits)).read(n)))
+    val takenTo                      = ofInputs(Vec(inputs.map(i => B(i.address, addressBits bits))).read(n))
   }
 
   val adder = new RayDigitAdder(multiplying, subtracting, due.digit, due.bitAt, due.top)(
@@ -103,7 +103,7 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
     writeData    := due.taken
   }
   // Registers mean nothing before their first clock under reset: the constants must outlast it.
-  private val writes           = late(due.second || due.take && Bool(inputs.nonEmpty)) && !ClockDomain.current.isResetActive
+  private val writes                     = late(due.second || due.take && Bool(inputs.nonEmpty)) && !ClockDomain.current.isResetActive
   private val (toWord, toDigit, written) = (late(writeAddress), late(due.at), late(writeData))
   for ((column, d) <- columns.zipWithIndex)
     column.write(toWord, written, if (digits == 1) writes else writes && toDigit === d)
@@ -126,8 +126,8 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
         when(count === scala.math.max(inputs.size - 1, 0))(goto(fetch))
       }
     }
-    private val waits                                = Seq.fill(if (fast) RaySetupTiming.Waits else 0)(new State)
-    private val settled                              = (waits :+ start).head
+    private val waits   = Seq.fill(if (fast) RaySetupTiming.Waits else 0)(new State)
+    private val settled = (waits :+ start).head
     for ((s, next) <- waits.zip(waits.drop(1) :+ start)) s.whenIsActive(goto(next))
     fetch.whenIsActive { when(pc === end)(goto(idle)).otherwise(goto(settled)) }
     start.whenIsActive {

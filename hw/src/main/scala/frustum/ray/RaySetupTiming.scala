@@ -8,8 +8,8 @@ import frustum.spec.{RayProgram, RayStep}
   */
 case class RaySetupTiming(program: RayProgram, digitBits: Int, fast: Boolean = false) {
   import program._
-  val digits: Int        = ((wordWidth + digitBits - 1) / digitBits).max(if (fast) 2 else 1)
-  private val waits      = if (fast) RaySetupTiming.Waits else 0
+  val digits: Int   = ((wordWidth + digitBits - 1) / digitBits).max(if (fast) 2 else 1)
+  private val waits = if (fast) RaySetupTiming.Waits else 0
 
   /** Bits of a multiplication's second operand; those beyond the words' width do not matter. */
   def multiplierBits(s: RayStep): Int = scala.math.min(s.bits, digits * digitBits)

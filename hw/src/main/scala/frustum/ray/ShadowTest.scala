@@ -15,7 +15,7 @@ class ShadowTest(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline, w
   private def gate(form: String) = if (scene.lightIsFree) !walkers.negative(form) else walkers(form) > 0
 
   private val cones = for (_ <- scene.light.toSeq; i <- scene.spheres.indices) yield {
-    val cone = Wall.all.map(w => gate(s"gate${i}_${w.index}") && !walkers.negative(s"shadow${i}_${w.index}"))
+    val cone     = Wall.all.map(w => gate(s"gate${i}_${w.index}") && !walkers.negative(s"shadow${i}_${w.index}"))
     val enclosed = walkers(s"power$i") <= 0
     Vec(cone).asBits | B(Wall.all.size bits, default -> enclosed)
   }

@@ -46,7 +46,7 @@ object CameraProgram {
   sealed trait Factor
 
   /** Both a value, then of 22 fraction bits, and a factor. */
-  sealed trait Sine extends Value with Factor
+  sealed trait Sine    extends Value with Factor
   case object CosYaw   extends Sine
   case object SinYaw   extends Sine
   case object CosPitch extends Sine

@@ -13,43 +13,73 @@ final case class Field(name: String, words: Int, note: String, repeated: Boolean
   * opcode, length and payload. A command whose checksum or length is wrong is dropped and counted, nothing else.
   */
 object Command {
-  val Flag   = 0x7e
-  val Escape = 0x7d
+  val Flag      = 0x7e
+  val Escape    = 0x7d
   val EscapeXor = 0x20
 
   /** Most payload words of a command: a lost byte costs at most this much. */
   val MaxWords = 120
 
-  val Begin = Command(0x01, "begin", Seq(
-    Field("frame", 1, "frame number; vertices of another frame are not drawn"),
-    Field("clearColor", 1, "RGB565"),
-    Field("region", 2, "tiles to draw: x0 << 8 | x1, y0 << 8 | y1, inclusive")
-  ), "Starts a frame, or one pass of it, in a free bank of the store; waits until there is one.")
+  val Begin = Command(
+    0x01,
+    "begin",
+    Seq(
+      Field("frame", 1, "frame number; vertices of another frame are not drawn"),
+      Field("clearColor", 1, "RGB565"),
+      Field("region", 2, "tiles to draw: x0 << 8 | x1, y0 << 8 | y1, inclusive")
+    ),
+    "Starts a frame, or one pass of it, in a free bank of the store; waits until there is one."
+  )
 
-  val State = Command(0x02, "state", Seq(
-    Field("index", 1, "0..15"),
-    Field("state", 2, "see RenderState")
-  ), "Sets a render state of the frame.")
+  val State = Command(
+    0x02,
+    "state",
+    Seq(
+      Field("index", 1, "0..15"),
+      Field("state", 2, "see RenderState")
+    ),
+    "Sets a render state of the frame."
+  )
 
-  val Vertices = Command(0x03, "vertices", Seq(
-    Field("first", 1, "index of the first vertex, 0..1023"),
-    Field("vertex", PackedVertex.WireWords, "see PackedVertex", repeated = true)
-  ), "Stores vertices at consecutive indices. A vertex out of range is refused and counted.")
+  val Vertices = Command(
+    0x03,
+    "vertices",
+    Seq(
+      Field("first", 1, "index of the first vertex, 0..1023"),
+      Field("vertex", PackedVertex.WireWords, "see PackedVertex", repeated = true)
+    ),
+    "Stores vertices at consecutive indices. A vertex out of range is refused and counted."
+  )
 
-  val Triangles = Command(0x04, "triangles", Seq(
-    Field("state", 1, "render state of these triangles, 0..15"),
-    Field("indices", 2, "v0 << 20 | v1 << 10 | v2; drawn when v0, v1, v2 turn clockwise on the screen", repeated = true)
-  ), "Appends triangles; they are drawn in this order. A triangle that names a vertex not sent in this frame is refused and counted.")
+  val Triangles = Command(
+    0x04,
+    "triangles",
+    Seq(
+      Field("state", 1, "render state of these triangles, 0..15"),
+      Field("indices", 2, "v0 << 20 | v1 << 10 | v2; drawn when v0, v1, v2 turn clockwise on the screen", repeated = true)
+    ),
+    "Appends triangles; they are drawn in this order. A triangle that names a vertex not sent in this frame is refused and counted."
+  )
 
-  val Texels = Command(0x05, "texels", Seq(
-    Field("address", 1, "first texel / 16"),
-    Field("texel", 1, "RGB565 or RGBA4444", repeated = true)
-  ), "Writes texel memory. Waits until no frame is being drawn.")
+  val Texels = Command(
+    0x05,
+    "texels",
+    Seq(
+      Field("address", 1, "first texel / 16"),
+      Field("texel", 1, "RGB565 or RGBA4444", repeated = true)
+    ),
+    "Writes texel memory. Waits until no frame is being drawn."
+  )
 
-  val Draw = Command(0x06, "draw", Seq(
-    Field("vertices", 1, "vertices sent since begin"),
-    Field("triangles", 1, "triangles sent since begin")
-  ), "Hands the bank to the rasterizer. Counts that differ from what arrived mark the frame incomplete (counted).")
+  val Draw = Command(
+    0x06,
+    "draw",
+    Seq(
+      Field("vertices", 1, "vertices sent since begin"),
+      Field("triangles", 1, "triangles sent since begin")
+    ),
+    "Hands the bank to the rasterizer. Counts that differ from what arrived mark the frame incomplete (counted)."
+  )
 
   val all: Seq[Command] = Seq(Begin, State, Vertices, Triangles, Texels, Draw)
 

@@ -12,12 +12,13 @@ object FetchProgram {
     */
   object Field extends Enumeration {
     val Position, Z, Q, Color, Texture, Area, Pixel, Scale, Power = Value
+
     /** Nothing is written. */
     val Skip = Value
   }
 
   // What a `Pixel` row has for its word: the tile's first or last column or line, or that of the first covered pixel.
-  val Column = 0; val Line = 1
+  val Column = 0; val Line      = 1
   val LastOf = 2; val CoveredOf = 4
 
   /** @param word   which of the vertex's store words holds the field; it stands at the word's top, except for
@@ -52,7 +53,7 @@ object FetchProgram {
   def vertex(v: Int, planes: Seq[Int]): Seq[Row] = {
     val rows = fields(v)
     rows.zipWithIndex.collect {
-      case (row, _) if wanted(row, planes) => row
+      case (row, _) if wanted(row, planes)                                                               => row
       case (row, n) if row.take && rows.drop(n + 1).exists(r => r.word == row.word && wanted(r, planes)) =>
         Row(Field.Skip, word = row.word, take = true)
     }
@@ -61,7 +62,7 @@ object FetchProgram {
   private def wanted(row: Row, planes: Seq[Int]): Boolean = row.field match {
     case Field.Q | Field.Texture | Field.Scale => planes.contains(PlaneQ)
     case Field.Z                               => planes.contains(PlaneZ)
-    case Field.Color => planes.exists(p => Seq(value(p), delta1(p), delta2(p)).contains(row.target))
+    case Field.Color                           => planes.exists(p => Seq(value(p), delta1(p), delta2(p)).contains(row.target))
     case Field.Skip                            => false
     case _                                     => true
   }

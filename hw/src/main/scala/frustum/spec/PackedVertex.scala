@@ -13,8 +13,19 @@ package frustum.spec
   * Pixel (i, j) has its centre at (16 i + 8, 16 j + 8).
   */
 final case class PackedVertex(
-    x: Int, y: Int, z: Int, qMantissa: Int, qExponent: Int, s: Int, t: Int, r: Int, g: Int, b: Int, a: Int
+    x: Int,
+    y: Int,
+    z: Int,
+    qMantissa: Int,
+    qExponent: Int,
+    s: Int,
+    t: Int,
+    r: Int,
+    g: Int,
+    b: Int,
+    a: Int
 ) {
+
   /** What keeps the hardware from accepting this vertex, or None. The decoder makes the same test at its door. */
   def fault: Option[String] = fault(VertexRanges())
 
@@ -31,10 +42,16 @@ final case class PackedVertex(
 
   /** The ten 16-bit words of the wire, in order. */
   def words: Seq[Int] = Seq(
-    x & 0xffff, y & 0xffff, z, qMantissa,
-    (qExponent << 11) | ((s >> 16) & 0x7ff), s & 0xffff,
-    (t >> 16) & 0x7ff, t & 0xffff,
-    (r << 8) | g, (b << 8) | a
+    x & 0xffff,
+    y & 0xffff,
+    z,
+    qMantissa,
+    (qExponent << 11) | ((s >> 16) & 0x7ff),
+    s & 0xffff,
+    (t >> 16) & 0x7ff,
+    t & 0xffff,
+    (r << 8) | g,
+    (b << 8) | a
   )
 }
 
@@ -51,9 +68,17 @@ object PackedVertex {
     require(w.length == WireWords, s"a vertex has $WireWords words, not ${w.length}")
     def signed11(v: Int) = (v & 0x7ff) << 21 >> 21
     PackedVertex(
-      x = w(0).toShort, y = w(1).toShort, z = w(2), qMantissa = w(3), qExponent = w(4) >> 11,
-      s = (signed11(w(4)) << 16) | w(5), t = (signed11(w(6)) << 16) | w(7),
-      r = w(8) >> 8, g = w(8) & 255, b = w(9) >> 8, a = w(9) & 255
+      x = w(0).toShort,
+      y = w(1).toShort,
+      z = w(2),
+      qMantissa = w(3),
+      qExponent = w(4) >> 11,
+      s = (signed11(w(4)) << 16) | w(5),
+      t = (signed11(w(6)) << 16) | w(7),
+      r = w(8) >> 8,
+      g = w(8) & 255,
+      b = w(9) >> 8,
+      a = w(9) & 255
     )
   }
 

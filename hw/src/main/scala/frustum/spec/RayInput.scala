@@ -23,7 +23,7 @@ object RayMoving {
 
   /** Vector of the camera: eye, corner, right, down. */
   case class Camera(index: Int) extends RayMoving {
-    def in(s: RayScene): RayBox = RayBox(s.camera.low.vectors(index), s.camera.high.vectors(index))
+    def in(s: RayScene): RayBox                  = RayBox(s.camera.low.vectors(index), s.camera.high.vectors(index))
     def in(m: RayMotion, s: RayScene): IntVector = m.cameraOf(s).vectors(index)
     override def toString                        = s"camera's ${RayCameraRange.Vectors(index)}"
   }

@@ -51,7 +51,7 @@ class RayProgramBuilder {
     case _ if is(b, 1)             => a
     // A step takes time by its second operand's width.
     case _ if a.range.width < b.range.width => multiply(b, a)
-    case _ => step(RayStep.Multiply, if (a eq b) a.range.square else a.range * b.range, a, b)
+    case _                                  => step(RayStep.Multiply, if (a eq b) a.range.square else a.range * b.range, a, b)
   }
 
   /** Puts `from` into the state word `to` at the start of each frame. */

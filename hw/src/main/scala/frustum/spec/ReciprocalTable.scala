@@ -10,12 +10,12 @@ package frustum.spec
   * are exact.
   */
 object ReciprocalTable {
-  val IndexBits = 8
+  val IndexBits    = 8
   val FractionBits = 12
-  val BaseBits = 19
-  val SlopeBits = 13
+  val BaseBits     = 19
+  val SlopeBits    = 13
 
-  private val size = 1 << IndexBits
+  private val size                     = 1 << IndexBits
   private def exact(f: Double): Double = 65536 * 2 * f / (1 + f)
 
   val slope: Array[Int] = Array.tabulate(size) { i =>
@@ -23,7 +23,7 @@ object ReciprocalTable {
   }
 
   val base: Array[Int] = Array.tabulate(size) { i =>
-    val from = exact(i.toDouble / size)
+    val from      = exact(i.toDouble / size)
     val lineError = exact((i + 0.5) / size) - (from + exact((i + 1.0) / size)) / 2
     scala.math.round(8 * (from + lineError / 2 + 0.5) + 0.25).toInt
   }

@@ -26,8 +26,10 @@ object SetupInstruction {
   sealed abstract class Start(val code: Int)
   case object Keep extends Start(0)
   case object Zero extends Start(1)
+
   /** Half of the last place of a [[Fraction]] result. */
   case object Round extends Start(2)
+
   /** [[Round]], or [[Zero]] where the triangle is a sliver. */
   case object RoundGradient extends Start(3)
 
@@ -35,15 +37,18 @@ object SetupInstruction {
     * or, where the triangle is a sliver, integers.
     */
   sealed abstract class Result(val code: Int)
-  case object Nowhere extends Result(0)
+  case object Nowhere                  extends Result(0)
   final case class Integer(word: Int)  extends Result(1)
   final case class Fraction(word: Int) extends Result(2)
+
   /** An integer that must fit 30 bits, otherwise the triangle is a sliver. */
-  final case class Checked(word: Int) extends Result(3)
+  final case class Checked(word: Int)    extends Result(3)
   final case class GradientX(plane: Int) extends Result(4)
   final case class GradientY(plane: Int) extends Result(5)
+
   /** Fraction: the plane's value at the first pixel. */
   final case class Initial(plane: Int) extends Result(6)
+
   /** Integer: edge function `edge` at the walker's corner; its steps are `b` of the products with `Left` and `Top`. Or,
     * for `edge` 4 and up, edge function `edge - 4` at the corner of the tile where it is largest.
     */
@@ -52,10 +57,10 @@ object SetupInstruction {
   /** Bits of an instruction word: far 1, a is `Top` 1, a is `Left` 1, result code 3, target 7, start 2, subtract 1, b 7, a 7.
     * Words are named by [[SetupWords.code]].
     */
-  val WordBits = 30
+  val WordBits                                           = 30
   def encode(i: SetupInstruction, planes: Seq[Int]): Int = {
     def code(word: Int) = SetupWords.code(word, planes)
-    val target = i.result match {
+    val target          = i.result match {
       case Nowhere      => 0
       case Integer(w)   => code(w)
       case Fraction(w)  => code(w)

@@ -13,8 +13,8 @@ import SetupWords._
   * @param planes that are wanted; the others' values mean nothing
   */
 final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
-  private def textured = planes.contains(PlaneQ)
-  private val nop = SetupInstruction(One, One, Keep, subtract = false, Nowhere)
+  private def textured                                                        = planes.contains(PlaneQ)
+  private val nop                                                             = SetupInstruction(One, One, Keep, subtract = false, Nowhere)
   private def mac(a: Int, b: Int, start: Start = Keep, to: Result = Nowhere)  = SetupInstruction(a, b, start, subtract = false, to)
   private def macn(a: Int, b: Int, start: Start = Keep, to: Result = Nowhere) = SetupInstruction(a, b, start, subtract = true, to)
 
@@ -26,13 +26,15 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
 
   /** 1/area by Newton-Raphson, x := x + x (1 - d x), three steps from a guess that is 1/17 off; meanwhile 1/w, s/w, t/w. */
   val attributes: Seq[SetupInstruction] = {
-    val x = Reciprocal
+    val x      = Reciprocal
     val newton = Seq(
-      mac(One, One, Round), macn(x, AreaNormal, to = Fraction(Error)),
-      mac(x, One, Round), mac(x, Error, to = Fraction(x))
+      mac(One, One, Round),
+      macn(x, AreaNormal, to = Fraction(Error)),
+      mac(x, One, Round),
+      mac(x, Error, to = Fraction(x))
     )
-    val guess    = Seq(mac(Guess, ThreeHalves, Round), macn(Guess, AreaNormal, to = Fraction(x)))
-    val depthsOf = (0 to 2).map(v => mac(q(v), scale(v), Zero, Integer(q(v))))
+    val guess                                 = Seq(mac(Guess, ThreeHalves, Round), macn(Guess, AreaNormal, to = Fraction(x)))
+    val depthsOf                              = (0 to 2).map(v => mac(q(v), scale(v), Zero, Integer(q(v))))
     def products(raw: Int => Int, plane: Int) =
       mac(q(0), raw(0), Round, Fraction(value(plane))) +:
         Seq(1 -> delta1(plane), 2 -> delta2(plane)).flatMap { case (v, d) =>
@@ -43,8 +45,10 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
         Seq(mac(q(v), One16, Zero), macn(q(0), One16, to = Integer(d)))
       }
     val edge0 = Seq(
-      mac(DY1_16, One16, Zero), macn(DY2_16, One16, to = Integer(A0_16)),
-      mac(DX2_16, One16, Zero), macn(DX1_16, One16, to = Integer(B0_16))
+      mac(DY1_16, One16, Zero),
+      macn(DY2_16, One16, to = Integer(A0_16)),
+      mac(DX2_16, One16, Zero),
+      macn(DX1_16, One16, to = Integer(B0_16))
     )
     val normal = Seq(DY2_16 -> N1A, DX2_16 -> N1B, DY1_16 -> N2A, DX1_16 -> N2B).map { case (from, to) =>
       mac(from, Shift, Zero, Integer(to))
@@ -62,12 +66,16 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
   val gradients: Seq[SetupInstruction] = {
     val Seq(ty2, tx2, ty1, tx1) = Temporary
     Seq(
-      mac(Reciprocal, ty2, Round, Fraction(L1X)), macn(Reciprocal, tx2, Round, Fraction(L1Y)),
-      macn(Reciprocal, ty1, Round, Fraction(L2X)), mac(Reciprocal, tx1, Round, Fraction(L2Y))
+      mac(Reciprocal, ty2, Round, Fraction(L1X)),
+      macn(Reciprocal, tx2, Round, Fraction(L1Y)),
+      macn(Reciprocal, ty1, Round, Fraction(L2X)),
+      mac(Reciprocal, tx1, Round, Fraction(L2Y))
     ) ++ planes.flatMap { p =>
       Seq(
-        mac(delta1(p), L1X, RoundGradient), mac(delta2(p), L2X, to = GradientX(p)),
-        mac(delta1(p), L1Y, RoundGradient), mac(delta2(p), L2Y, to = GradientY(p))
+        mac(delta1(p), L1X, RoundGradient),
+        mac(delta2(p), L2X, to = GradientX(p)),
+        mac(delta1(p), L1Y, RoundGradient),
+        mac(delta2(p), L2Y, to = GradientY(p))
       )
     }
   }
@@ -79,16 +87,22 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
     far <- Seq(true, false)
     at = if (far) 4 else 0
     i <- Seq(
-      mac(Left, A0_16, Zero), mac(Top, B0_16), mac(Area, One16, to = Edge(at)),
-      mac(Left, DY2_16, Zero), macn(Top, DX2_16, to = Edge(at + 1)),
-      macn(Left, DY1_16, Zero), mac(Top, DX1_16, to = Edge(at + 2))
+      mac(Left, A0_16, Zero),
+      mac(Top, B0_16),
+      mac(Area, One16, to = Edge(at)),
+      mac(Left, DY2_16, Zero),
+      macn(Top, DX2_16, to = Edge(at + 1)),
+      macn(Left, DY1_16, Zero),
+      mac(Top, DX1_16, to = Edge(at + 2))
     )
   } yield i.copy(far = far)
 
   /** The lambdas at the first covered pixel and every plane's value there. */
   val rebase: Seq[SetupInstruction] = Seq(
-    mac(N1A, PixelX_16, Zero), macn(N1B, PixelY_16, to = Integer(Normal1)),
-    macn(N2A, PixelX_16, Zero), mac(N2B, PixelY_16, to = Integer(Normal2)),
+    mac(N1A, PixelX_16, Zero),
+    macn(N1B, PixelY_16, to = Integer(Normal1)),
+    macn(N2A, PixelX_16, Zero),
+    mac(N2B, PixelY_16, to = Integer(Normal2)),
     mac(Reciprocal, Normal1, Round, Fraction(Lambda1)),
     mac(Reciprocal, Normal2, Round, Fraction(Lambda2))
   ) ++ planes.flatMap { p =>
@@ -97,8 +111,8 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
 
   /** The programs as they lie in the engine's memory, with no-operations where a result is not ready. */
   val sections: Seq[Seq[SetupInstruction]] = Seq(area, attributes ++ steps, steps, gradients, edges, rebase).map(schedule)
-  val starts: Seq[Int] = sections.scanLeft(0)(_ + _.length)
-  val image: Seq[SetupInstruction] = sections.flatten
+  val starts: Seq[Int]                     = sections.scanLeft(0)(_ + _.length)
+  val image: Seq[SetupInstruction]         = sections.flatten
 
   /** Delays each instruction until its operands are written. Waiting is only allowed before an accumulation starts,
     * because a no-operation would disturb one under way.
@@ -112,7 +126,9 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
     }
     groups.foldLeft(Vector.empty[SetupInstruction]) { (done, group) =>
       def ready(at: Int) = group.zipWithIndex.forall { case (i, k) =>
-        Seq(i.a, i.b).forall(w => (at + k - ResultLatency + 1 until at).forall(n => n < 0 || n >= done.length || !written(done(n)).contains(w)))
+        Seq(i.a, i.b).forall(w =>
+          (at + k - ResultLatency + 1 until at).forall(n => n < 0 || n >= done.length || !written(done(n)).contains(w))
+        )
       }
       val at = Iterator.from(done.length).find(ready).get
       done ++ Vector.fill(at - done.length)(nop) ++ group
@@ -121,6 +137,6 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
 }
 
 object SetupProgram {
-  val SectionArea = 0; val SectionAttributes = 1; val SectionSteps = 2; val SectionGradients = 3; val SectionEdges = 4
+  val SectionArea   = 0; val SectionAttributes = 1; val SectionSteps = 2; val SectionGradients = 3; val SectionEdges = 4
   val SectionRebase = 5
 }

@@ -19,12 +19,12 @@ import spinal.lib.misc.pipeline._
   *   1. shifted by e; cut to 17 fraction bits. So half of v's last place, times 2^e, is what is lost
   */
 case class LateDivide(config: RasterConfig, tech: Tech) extends Component {
-  val io      = DivideIo()
-  val ratio   = config.ranges.ratio
-  val low     = LateDivide.low(config)
-  val line    = new LockstepPipeline(7)
-  val enable  = line.enable
-  val at      = Reg(UInt(3 bits)) init 0
+  val io     = DivideIo()
+  val ratio  = config.ranges.ratio
+  val low    = LateDivide.low(config)
+  val line   = new LockstepPipeline(7)
+  val enable = line.enable
+  val at     = Reg(UInt(3 bits)) init 0
   when(enable)(at := at + 1)
 
   /** What was at a node is at that `nodes` behind. */
@@ -37,15 +37,15 @@ case class LateDivide(config: RasterConfig, tech: Tech) extends Component {
 
   line(0).driveFrom(io.up)((_, _) => ())
   val FRACTION = Payload(Bits(ReciprocalTable.FractionBits bits))
-  val q     = io.up.q(30 downto 0).asBits
-  val steps = UInt(log2Up(ratio + 1) bits)
+  val q        = io.up.q(30 downto 0).asBits
+  val steps    = UInt(log2Up(ratio + 1) bits)
   steps := ratio
   for (e <- ratio - 1 to 0 by -1) when(q(30 - e))(steps := e)
   val f = Vec((0 to ratio).map(e => (q |<< e)(29 downto 10)).padTo(1 << widthOf(steps), (q |<< ratio)(29 downto 10)))(steps)
   line(0)(FRACTION) := f(11 downto 0)
 
   val (slopeWord, baseWord) = LateDivide.tables(f(19 downto 12).asUInt, enable) // at node 1
-  val correction = Multiplier16(tech, signedA = false, signedB = false, add = true)
+  val correction            = Multiplier16(tech, signedA = false, signedB = false, add = true)
   correction.io.enable := enable
   correction.io.a      := slopeWord(12 downto 0).resized
   correction.io.b      := line(1)(FRACTION).resized
@@ -53,10 +53,10 @@ case class LateDivide(config: RasterConfig, tech: Tech) extends Component {
   val r     = correction.io.product(31 downto 16) // at node 3
   val rLate = wait(r, 2)
 
-  val values = Seq(io.up.s, io.up.t).map(raw => (raw >> low).resize(config.ranges.coordinateBits - low).resize(30).asBits)
+  val values            = Seq(io.up.s, io.up.t).map(raw => (raw >> low).resize(config.ranges.coordinateBits - low).resize(30).asBits)
   private val upperBits = (config.ranges.coordinateBits - low - 15).max(1)
   private val uppers    = wait(steps ## values(1)(15, upperBits bits) ## values(0)(15, upperBits bits), 5)
-  val STEPS = Payload(UInt(widthOf(steps) bits))
+  val STEPS             = Payload(UInt(widthOf(steps) bits))
   line(5)(STEPS) := uppers.drop(2 * upperBits).asUInt
 
   val results = for ((value, n) <- values.zipWithIndex) yield {

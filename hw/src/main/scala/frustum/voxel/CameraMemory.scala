@@ -35,7 +35,7 @@ case class CameraMemory(c: VoxelConfig, initial: VoxelCamera) extends Component 
   }
 
   /** What registers hold at power up must not reach the bank of the start either. */
-  private val enable              = io.write.valid && written =/= 0
+  private val enable             = io.write.valid && written =/= 0
   private def memory(width: Int) = {
     val numbers = initial.numbers.padTo(16, 0)
     val mem     = Mem(

@@ -147,10 +147,10 @@ case class FaceTexel(c: VoxelConfig, slots: Int) extends Component {
   }
 
   val result = new Area {
-    val node          = line.nodes.last
-    val in            = node(HIT)
-    val (u, v)        = TexelHit.uv(node(FACE), node(INSIDE))
-    val out           = io.down.payload
+    val node   = line.nodes.last
+    val in     = node(HIT)
+    val (u, v) = TexelHit.uv(node(FACE), node(INSIDE))
+    val out    = io.down.payload
     io.down.valid := node.isValid
     out.slot      := in.slot
     out.last      := in.last

@@ -12,12 +12,12 @@ import spinal.lib._
 case class HostFraming(bytesOf: Map[Int, Int], silence: Int) extends Component {
   val io = new Bundle {
     val bytes   = slave(Flow(Bits(8 bits)))
-    val opcode  = out UInt (8 bits)           // of the command whose payload comes; from the clock after it
-    val begins  = out Bool ()                 // with the byte of a new command's opcode
+    val opcode  = out UInt (8 bits)          // of the command whose payload comes; from the clock after it
+    val begins  = out Bool ()                // with the byte of a new command's opcode
     val payload = master(Flow(Bits(8 bits)))
-    val whole   = out Bool ()                 // with the last byte, if the sum is right
-    val refuse  = in Bool ()                  // with `whole`: the payload is no good
-    val refused = out(RegInit(U(0, 8 bits)))  // commands; stays at its end
+    val whole   = out Bool ()                // with the last byte, if the sum is right
+    val refuse  = in Bool ()                 // with `whole`: the payload is no good
+    val refused = out(RegInit(U(0, 8 bits))) // commands; stays at its end
   }
   private val byte   = io.bytes.payload.asUInt
   private val opcode = Reg(UInt(8 bits))

@@ -44,12 +44,12 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable, tech: Tech, stages: Marche
   val ID                      = Payload(UInt(BlockTable.IdBits bits))
   val REACH                   = Payload(UInt(5 bits))
   val RUN                     = Payload(Vec(UInt(c.slopeBits + 5 bits), 2)) // of the slopes over the reach
-  val TO            = Payload(Vec(UInt(shift + 1 bits), 2)) // ways to the next borders of the other axes
-  val FAR           = Payload(Vec(SInt(whole + shift bits), 2))
-  val CROSS         = Payload(Vec(UInt(shift + 1 + c.slopeBits bits), 2))
-  val FITS, FIRST   = Payload(Bool())
-  val BACK          = Payload(Vec(SInt(whole + shift bits), 2))
-  val DENIED, AGAIN = Payload(Bool())                       // the word was; so the step is to be made again
+  val TO                      = Payload(Vec(UInt(shift + 1 bits), 2))       // ways to the next borders of the other axes
+  val FAR                     = Payload(Vec(SInt(whole + shift bits), 2))
+  val CROSS                   = Payload(Vec(UInt(shift + 1 + c.slopeBits bits), 2))
+  val FITS, FIRST             = Payload(Bool())
+  val BACK                    = Payload(Vec(SInt(whole + shift bits), 2))
+  val DENIED, AGAIN           = Payload(Bool())                             // the word was; so the step is to be made again
 
   val line = new LockstepPipeline(stages.slots)
   val tail = line.nodes.last
@@ -121,16 +121,16 @@ case class Marcher(c: VoxelConfig, kinds: BlockTable, tech: Tech, stages: Marche
 
   val steps = new Area {
     val node = line(stages.steps)
-    for (i <- 0 to 1) node(RUN)(i) := node(REACH) * node(RAY).slopes(i)
-    io.hits.valid                  := node.isValid && (node(FACE) || node(LAST)) && !node(DENIED)
-    node(AGAIN)   := (if (stages.retries) node(DENIED) || io.hits.valid && !io.accepted else False)
-    io.hits.ray   := node(RAY)
-    io.hits.slot  := node(SLOT)
-    io.hits.face  := node(FACE)
-    io.hits.last  := node(LAST)
-    io.hits.id    := node(ID)
-    io.hits.entry := node(ENTRY)
-    io.hits.at    := node(PLACE).at
+    for (i <- 0 to 1) node(RUN)(i)     := node(REACH) * node(RAY).slopes(i)
+    io.hits.valid                      := node.isValid && (node(FACE) || node(LAST)) && !node(DENIED)
+    node(AGAIN)                        := (if (stages.retries) node(DENIED) || io.hits.valid && !io.accepted else False)
+    io.hits.ray                        := node(RAY)
+    io.hits.slot                       := node(SLOT)
+    io.hits.face                       := node(FACE)
+    io.hits.last                       := node(LAST)
+    io.hits.id                         := node(ID)
+    io.hits.entry                      := node(ENTRY)
+    io.hits.at                         := node(PLACE).at
     for (k <- 0 to 2) io.hits.block(k) := node(BLOCK)(k).asUInt.resized
   }
 

@@ -74,21 +74,21 @@ case class SerialComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelTex
 
   /** Of each slot: three channels' light and what is still clear, of 255. A slot is `fresh` when its ray has no layer yet. */
   val layers = new Area {
-    val memory = Mem(Bits(16 bits), 4 * slots)
-    val fresh  = RegInit(B((BigInt(1) << slots) - 1, slots bits))
-    val first  = fresh(hit.slot)
-    val which  = clock.mux(7 -> U(0, 2 bits), 9 -> U(1, 2 bits), 11 -> U(2, 2 bits), default -> U(3, 2 bits))
-    val slot   = Mux(io.up.ready, io.up.slot, hit.slot)
-    val word   = memory.readSync(slot @@ which).asUInt
-    val clear  = Reg(UInt(8 bits))
-    val weight = Reg(UInt(8 bits))
-    val before = Mux(first, U(0, 16 bits), word)
-    val starts = RegNext(io.up.fire, False)
-    when(starts)(clear := Mux(first, U(255), word(7 downto 0)))
+    val memory       = Mem(Bits(16 bits), 4 * slots)
+    val fresh        = RegInit(B((BigInt(1) << slots) - 1, slots bits))
+    val first        = fresh(hit.slot)
+    val which        = clock.mux(7 -> U(0, 2 bits), 9 -> U(1, 2 bits), 11 -> U(2, 2 bits), default -> U(3, 2 bits))
+    val slot         = Mux(io.up.ready, io.up.slot, hit.slot)
+    val word         = memory.readSync(slot @@ which).asUInt
+    val clear        = Reg(UInt(8 bits))
+    val weight       = Reg(UInt(8 bits))
+    val before       = Mux(first, U(0, 16 bits), word)
+    val starts       = RegNext(io.up.fire, False)
+    when(starts)(clear       := Mux(first, U(255), word(7 downto 0)))
     when(clock === 6)(weight := product(11 downto 4).asUInt)
-    val write = clock.mux(7 -> True, 10 -> True, 12 -> True, 14 -> True, default -> False)
-    val place = clock.mux(10 -> U(0, 2 bits), 12 -> U(1, 2 bits), 14 -> U(2, 2 bits), default -> U(3, 2 bits))
-    val data  = Mux(clock === 7, (clear - weight).resize(16), product(15 downto 0).asUInt)
+    val write        = clock.mux(7 -> True, 10 -> True, 12 -> True, 14 -> True, default -> False)
+    val place        = clock.mux(10 -> U(0, 2 bits), 12 -> U(1, 2 bits), 14 -> U(2, 2 bits), default -> U(3, 2 bits))
+    val data         = Mux(clock === 7, (clear - weight).resize(16), product(15 downto 0).asUInt)
     memory.write(hit.slot @@ place, data.asBits, write)
     when(clock === 14)(fresh(hit.slot) := hit.last)
   }

@@ -74,7 +74,7 @@ case class SerialRays(c: VoxelConfig, tech: Tech) extends Component {
 
   val free = !downValid || io.down.ready
   val runs = clock.mux(
-    0 -> ((scan.picking || scan.scanning && io.room) && (late <= 10 || late === 15)), // apart from eyes read at 13 and 14
+    0       -> ((scan.picking || scan.scanning && io.room) && (late <= 10 || late === 15)), // apart from eyes read at 13 and 14
     5       -> (late === 0 && free),
     default -> True
   )

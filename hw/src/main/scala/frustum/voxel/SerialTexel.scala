@@ -46,7 +46,7 @@ case class SerialTexel(c: VoxelConfig, slots: Int, tech: Tech) extends Component
       within(1) := Mux(second, from(0), from(1))
       own       := Mux(second, io.up.ray.slopes(1), io.up.ray.slopes(0))
       other     := Mux(second, io.up.ray.slopes(0), io.up.ray.slopes(1))
-      clock := Mux(io.up.face, Mux(io.up.entry === 0, U(Away, 5 bits), U(Divide, 5 bits)), U(Done, 5 bits))
+      clock     := Mux(io.up.face, Mux(io.up.entry === 0, U(Away, 5 bits), U(Divide, 5 bits)), U(Done, 5 bits))
     }
     when(clock =/= 0 && clock =/= Done)(clock := clock + 1)
   }
@@ -92,7 +92,7 @@ case class SerialTexel(c: VoxelConfig, slots: Int, tech: Tech) extends Component
 
   /** Squares of the ways from the eye's texel along the axes, one after the other. */
   val distance = new Area {
-    val step = clock - Away // the eye is asked for at 0 to 2, the square at 2 to 4, it is there at 4 to 6
+    val step                  = clock - Away // the eye is asked for at 0 to 2, the square at 2 to 4, it is there at 4 to 6
     private def axis(i: UInt) = { val sum = hit.ray.fast +^ i; Mux(sum >= 3, sum - 3, sum).resize(2) }
     io.axis := axis(step(1 downto 0))
     val i    = (step - 1)(1 downto 0)

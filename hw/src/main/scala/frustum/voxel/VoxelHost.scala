@@ -17,7 +17,7 @@ case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Co
     val bytes     = slave(Stream(Bits(8 bits)))
     val edit      = master(Stream(HostEdit(c)))
     val camera    = master(Flow(CameraPort(c)))
-    val highlight = out Bool () // with the camera
+    val highlight = out Bool ()       // with the camera
     val pose      = master(Flow(VoxelPose(c)))
     val refused   = out UInt (8 bits) // stays at its end
   }
@@ -49,8 +49,8 @@ case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Co
     ((-VoxelRules.MostPitch, VoxelRules.MostPitch))
   val poseAllowed = RegNext(Vec(pose.zip(allowed).map { case (v, (low, high)) => v >= low && v <= high }).andR)
   for (k <- 0 to 2) io.pose.feet(k) := pose(k).resized
-  io.pose.yaw   := pose(3).asUInt.resized
-  io.pose.pitch := pose(4).resized
+  io.pose.yaw                       := pose(3).asUInt.resized
+  io.pose.pitch                     := pose(4).resized
   val poseDone = False
   io.pose.valid := RegNext(poseDone) init False
 

@@ -62,7 +62,7 @@ case class FaceHit(c: VoxelConfig, slots: Int) extends Bundle {
   val face  = Bool()
   val last  = Bool()
   val id    = UInt(frustum.spec.BlockTable.IdBits bits)
-  val entry = UInt(2 bits) // axis of the border crossed: 0 the fast one, 1 and 2 the others
+  val entry = UInt(2 bits)                       // axis of the border crossed: 0 the fast one, 1 and 2 the others
   val block = Vec(UInt(c.size.logs.max bits), 3) // in the order of `entry`, mirrored
   val at    = Vec(SInt(c.blockBits + c.fractionBits bits), 2)
 }

@@ -13,7 +13,7 @@ case class VoxelTables(kinds: BlockTable, textures: VoxelTextures) extends Compo
     val u, v = in UInt (4 bits)
     val rgba = out Bits (16 bits)
   }
-  private def rom(bits: Int, words: Seq[Int]) = Mem(Bits(bits bits), words.map(B(_, bits bits)))
+  private def rom(bits: Int, words: Seq[Int])                  = Mem(Bits(bits bits), words.map(B(_, bits bits)))
   private def each(of: IndexedSeq[IndexedSeq[Int]], size: Int) =
     (0 until VoxelTextures.Most).flatMap(t => if (t < of.length) of(t) else Seq.fill(size)(0))
 

@@ -80,7 +80,7 @@ case class WorldEditor(c: VoxelConfig) extends Component {
       Mux(nearby.at(k) === 0, S(0, 2 bits), Mux(behind, S(-1, 2 bits), S(1, 2 bits)))
     })
 
-    private def inside(p: Vec[SInt]) = (0 to 2).map(k => !p(k).msb && (p(k) >> logs(k)) === 0).reduce(_ && _)
+    private def inside(p: Vec[SInt])    = (0 to 2).map(k => !p(k).msb && (p(k) >> logs(k)) === 0).reduce(_ && _)
     private def addressOf(p: Vec[SInt]) = Cat((2 to 0 by -1).map(k => p(k)(logs(k) - 1 downto 0))).asUInt
 
     val slices   = word(groups * bits - 1 downto 0).subdivideIn(groups slices)
@@ -126,16 +126,16 @@ case class WorldEditor(c: VoxelConfig) extends Component {
         state                       := State.nextTo
       }
       is(State.nextTo) {
-        since := 0
+        since   := 0
         address := addressOf(beside)
-        state := State.reach
+        state   := State.reach
       }
       is(State.reach) {
         since := since + 1
         when(since === 2 || !inside(beside)) {
           nearby.step()
-          state := State.neighbour
-          when(nearby.over)(state                                            := State.seen)
+          state                                      := State.neighbour
+          when(nearby.over)(state                                      := State.seen)
           when(inside(beside) && (word.msb || distance < round))(state := State.next)
         }
       }

@@ -18,7 +18,8 @@ object BenchCommand extends CommandLine {
     val builder = OParser.builder[BenchOptions]
     import builder._
     OParser.sequence(
-      programName("./sbt bench"), head(s"bench: $summary"),
+      programName("./sbt bench"),
+      head(s"bench: $summary"),
       arg[String]("raster").optional().action((v, o) => o.copy(what = v)).text("what to measure: raster"),
       opt[Long]("seed")(Arguments.seed).valueName("N").action((v, o) => o.copy(seed = v)).text("of the positions (default 1)"),
       opt[Int]("positions")(Arguments.count).valueName("N").action((v, o) => o.copy(positions = v))
@@ -38,15 +39,22 @@ object BenchCommand extends CommandLine {
   }
 
   private def json(o: BenchOptions, f: RasterFigures): ujson.Obj = ujson.Obj(
-    "command" -> name, "version" -> BuildInfo.version, "seed" -> o.seed.toDouble, "engine" -> "pipeline",
-    "positions" -> o.positions,
-    "fullScreenClocksPerPixel" -> f.fullScreenClocksPerPixel, "setupClocks" -> f.setupClocks,
-    "tileRebaseClocks" -> f.tileRebaseClocks,
-    "rightTriangleClocks" -> ujson.Obj.from(f.rightTriangleClocks.map { case (n, c) => n.toString -> ujson.Num(c) }),
-    "randomIn16Clocks" -> f.randomIn16Clocks, "diagonalSliverClocks" -> f.diagonalSliverClocks,
-    "needleClocksPerPixel" -> f.needleClocksPerPixel, "bytesPerTriangle" -> f.bytesPerTriangle,
-    "cubeClocksPerFrame" -> f.cubeClocksPerFrame, "textureUploadClocks" -> f.textureUploadClocks,
-    "clearClocksPerFrame" -> f.clearClocksPerFrame
+    "command"                  -> name,
+    "version"                  -> BuildInfo.version,
+    "seed"                     -> o.seed.toDouble,
+    "engine"                   -> "pipeline",
+    "positions"                -> o.positions,
+    "fullScreenClocksPerPixel" -> f.fullScreenClocksPerPixel,
+    "setupClocks"              -> f.setupClocks,
+    "tileRebaseClocks"         -> f.tileRebaseClocks,
+    "rightTriangleClocks"      -> ujson.Obj.from(f.rightTriangleClocks.map { case (n, c) => n.toString -> ujson.Num(c) }),
+    "randomIn16Clocks"         -> f.randomIn16Clocks,
+    "diagonalSliverClocks"     -> f.diagonalSliverClocks,
+    "needleClocksPerPixel"     -> f.needleClocksPerPixel,
+    "bytesPerTriangle"         -> f.bytesPerTriangle,
+    "cubeClocksPerFrame"       -> f.cubeClocksPerFrame,
+    "textureUploadClocks"      -> f.textureUploadClocks,
+    "clearClocksPerFrame"      -> f.clearClocksPerFrame
   )
 
   /** What the peer takes for the same, where it is known. */
@@ -67,7 +75,7 @@ object BenchCommand extends CommandLine {
       ("empty frame", f.clearClocksPerFrame, Some(2.0 * 240 * 320))
     )
     def number(v: Double) = (if (v < 100) "%,.2f" else "%,.0f").formatLocal(Locale.ROOT, v)
-    val cells = Seq("clocks", "here", "the peer", "peer / here") +: rows.map { case (name, here, peer) =>
+    val cells             = Seq("clocks", "here", "the peer", "peer / here") +: rows.map { case (name, here, peer) =>
       Seq(name, number(here), peer.fold("-")(number), peer.fold("-")(p => "%.2f".formatLocal(Locale.ROOT, p / here)))
     }
     cells.map(r => r.head.padTo(32, ' ') + r.tail.map(c => c.reverse.padTo(12, ' ').reverse).mkString).mkString("\n")

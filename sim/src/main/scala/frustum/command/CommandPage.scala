@@ -26,9 +26,9 @@ object CommandPage {
 
   /** 3, "3 to 5", or "5, 7 .. 119". */
   private def lengths(command: Command): String = CommandShape.lengths(command) match {
-    case Seq(one)                                        => one.toString
-    case all if all(1) - all.head == 1                   => s"${all.head} to ${all.last}"
-    case all                                             => s"${all.head}, ${all(1)} .. ${all.last}"
+    case Seq(one)                      => one.toString
+    case all if all(1) - all.head == 1 => s"${all.head} to ${all.last}"
+    case all                           => s"${all.head}, ${all(1)} .. ${all.last}"
   }
 
   private def overview: Seq[String] = Seq(
@@ -62,10 +62,10 @@ object CommandPage {
     }.mkString("; ")
 
   private def vertex: Seq[String] = {
-    val zero = PackedVertex(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)
+    val zero                                                   = PackedVertex(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)
     def row(name: String, full: PackedVertex, content: String) =
       Seq(name, place(zero.words, Seq(full.words)), content)
-    val most = s"magnitude at most ${PackedVertex.MaxXy}"
+    val most  = s"magnitude at most ${PackedVertex.MaxXy}"
     val turns = s"repeats, two's complement, 16 fraction bits; magnitude at most ${PackedVertex.MaxSt}"
     Seq(
       "## Vertex",
@@ -96,11 +96,11 @@ object CommandPage {
     val texture = TextureRef(0, 3, 3, TexelFormat.Rgb565)
     val zero    = RenderState(Some(texture), depth = DepthFunction.Never, depthWrite = false)
     def row(name: String, content: String)(values: RenderState*) = Seq(name, place(zero.words, values.map(_.words)), content)
-    def textured(t: TextureRef) = zero.copy(texture = Some(t))
-    def codes(all: (Int, String)*) = all.map { case (code, name) => s"$code $name" }.mkString(", ")
-    val combines = Seq(Combine.ColorOnly, Combine.Replace, Combine.Modulate)
-    val formats  = Seq(TexelFormat.Rgb565, TexelFormat.Rgba4444)
-    val wraps    = Wrap.all.map(w => w.code -> w.toString.toLowerCase)
+    def textured(t: TextureRef)                                  = zero.copy(texture = Some(t))
+    def codes(all: (Int, String)*)                               = all.map { case (code, name) => s"$code $name" }.mkString(", ")
+    val combines                                                 = Seq(Combine.ColorOnly, Combine.Replace, Combine.Modulate)
+    val formats                                                  = Seq(TexelFormat.Rgb565, TexelFormat.Rgba4444)
+    val wraps                                                    = Wrap.all.map(w => w.code -> w.toString.toLowerCase)
     Seq(
       "## Render state",
       s"2 words (`RenderState`); ${RenderState.Count} states a frame. Those that triangles name must be sent in every frame.",
@@ -110,7 +110,10 @@ object CommandPage {
           row("texture base", "first texel / 64")((0 to 511).map(b => textured(texture.copy(base = b))): _*),
           row("texture width", "log2 of the width, less 3: 8 to 128 texels")((3 to 7).map(n => textured(texture.copy(log2Width = n))): _*),
           row("texture height", "log2 of the height, less 3")((3 to 7).map(n => textured(texture.copy(log2Height = n))): _*),
-          row("texel format", codes(formats.map(f => f.code -> f.toString.toUpperCase): _*))(formats.map(f => textured(texture.copy(format = f))): _*),
+          row(
+            "texel format",
+            codes(formats.map(f => f.code -> f.toString.toUpperCase): _*)
+          )(formats.map(f => textured(texture.copy(format = f))): _*),
           row("wrap s", codes(wraps: _*))(Wrap.all.map(w => zero.copy(wrapS = w)): _*),
           row("wrap t", "the same")(Wrap.all.map(w => zero.copy(wrapT = w)): _*),
           row("combine", codes(combines.map(_.code).zip(Seq("vertex colour alone", "texel alone", "texel * vertex colour")): _*))(
@@ -121,7 +124,10 @@ object CommandPage {
           ),
           row("depth write", "1: a fragment that passes stores its depth")(zero.copy(depthWrite = true)),
           row("blend", "1: source * alpha + destination * (1 - alpha)")(zero.copy(blend = true)),
-          row("alpha reference", "fragments whose five-bit alpha is lower are dropped; 0 keeps all")((0 to 31).map(a => zero.copy(alphaRef = a)): _*)
+          row(
+            "alpha reference",
+            "fragments whose five-bit alpha is lower are dropped; 0 keeps all"
+          )((0 to 31).map(a => zero.copy(alphaRef = a)): _*)
         )
       ),
       "Texels lie row by row from the bottom row (t = 0) up, 16 bits each, red in the most significant bits. With RGB565 " +

@@ -25,12 +25,12 @@ object FitCommand extends CommandLine {
 
   private def fit(o: FitOptions): Int = {
     if (o.scene.isEmpty && o.obj.isEmpty) throw InputError("fit: no scene; give --scene NAME or --obj FILE")
-    val scene    = RenderCommand.sceneOf(o.scene, o.obj, o.texture)
-    val stem     = o.obj.fold(scene.name)(_.getFileName.toString.replaceFirst("\\.[^.]*$", ""))
-    val base     = RenderCommand.configOf(o.size._1, o.size._2)
-    val volume   = o.volume.fold(CameraVolume.default)(CameraVolume.read)
-    val budget   = FitBudget(o.texelsWrong, o.primitivesWrong, o.flip)
-    val features = FitFeatures(scene, base, DrawOptions(o.light, o.cullBack, o.wrap, scene.background), volume)
+    val scene                   = RenderCommand.sceneOf(o.scene, o.obj, o.texture)
+    val stem                    = o.obj.fold(scene.name)(_.getFileName.toString.replaceFirst("\\.[^.]*$", ""))
+    val base                    = RenderCommand.configOf(o.size._1, o.size._2)
+    val volume                  = o.volume.fold(CameraVolume.default)(CameraVolume.read)
+    val budget                  = FitBudget(o.texelsWrong, o.primitivesWrong, o.flip)
+    val features                = FitFeatures(scene, base, DrawOptions(o.light, o.cullBack, o.wrap, scene.background), volume)
     def say(line: String): Unit = println(s"$name $stem: $line")
     if (!features.options.depthTest)
       say("nothing hides anything else: no depth test" + (if (features.options.cullBack)
@@ -131,15 +131,15 @@ object FitCommand extends CommandLine {
       ) ++
         Seq(
           Option.when(f.coordinate > 0)(s"${f.coordinate} bits of coordinates" -> f.copy(coordinate = 0)),
-          Option.when(f.coordinate > 0)("1 bit of coordinates"   -> f.copy(coordinate = f.coordinate - 1)),
-          Option.when(f.inverse > 0)(s"${f.inverse} bits of 1/w" -> f.copy(inverse = 0)),
-          Option.when(f.depth > 0)(s"${f.depth} bits of depth"   -> f.copy(depth = 0)),
-          Option.when(f.color > 0)(s"${f.color} bits of colours" -> f.copy(color = 0))
+          Option.when(f.coordinate > 0)("1 bit of coordinates"                 -> f.copy(coordinate = f.coordinate - 1)),
+          Option.when(f.inverse > 0)(s"${f.inverse} bits of 1/w"               -> f.copy(inverse = 0)),
+          Option.when(f.depth > 0)(s"${f.depth} bits of depth"                 -> f.copy(depth = 0)),
+          Option.when(f.color > 0)(s"${f.color} bits of colours"               -> f.copy(color = 0))
         ).flatten.map { case (what, formats) => what -> fitted.copy(formats = formats) } ++
         Seq(
-          "choice of clear colour" -> fitted.copy(clearColor = None),
-          "the whole store"        -> fitted.copy(maxVertices = full.maxVertices, maxTriangles = full.maxTriangles),
-          "positions everywhere"   -> fitted.copy(ranges = fitted.ranges.copy(position = full.ranges.position)),
+          "choice of clear colour"     -> fitted.copy(clearColor = None),
+          "the whole store"            -> fitted.copy(maxVertices = full.maxVertices, maxTriangles = full.maxTriangles),
+          "positions everywhere"       -> fitted.copy(ranges = fitted.ranges.copy(position = full.ranges.position)),
           "coordinates of all repeats" -> fitted.copy(ranges = fitted.ranges.copy(repeats = full.ranges.repeats)),
           "any ratio of depths"        -> fitted.copy(ranges = fitted.ranges.copy(ratio = full.ranges.ratio))
         ).filter(_._2 != fitted)

@@ -63,9 +63,9 @@ object FitReport {
       "heldOutViews"      -> r.heldOut.length,
       "heldOutOverBudget" -> r.heldOutOver,
       "overAtMostPercent" -> 100 * r.overAtMost,
-      "oneBitLess" -> ujson.Obj.from(r.oneBitLess.map { case (knob, share) => knob -> ujson.Num(share) }),
-      "hardwareVsModel" -> ujson.Obj("pixelsDifferent" -> different.toDouble),
-      "configuration"   -> ujson.Obj(
+      "oneBitLess"        -> ujson.Obj.from(r.oneBitLess.map { case (knob, share) => knob -> ujson.Num(share) }),
+      "hardwareVsModel"   -> ujson.Obj("pixelsDifferent" -> different.toDouble),
+      "configuration"     -> ujson.Obj(
         "width"         -> c.width,
         "height"        -> c.height,
         "textureTexels" -> c.textureTexels,

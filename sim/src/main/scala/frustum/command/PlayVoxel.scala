@@ -34,9 +34,9 @@ object PlayVoxel {
       session: Option[VoxelSession]
   ): Int = {
     val VoxelScene(config, assets, _, views) = scene
-    val rules  = VoxelRules(config.size, assets.table.blocks.length, gravity = !fly)
-    val scale  = (640 / config.width).max(1)
-    val screen = LiveScreen("Frustum: world of blocks", config.width, config.height, scale)
+    val rules                                = VoxelRules(config.size, assets.table.blocks.length, gravity = !fly)
+    val scale                                = (640 / config.width).max(1)
+    val screen                               = LiveScreen("Frustum: world of blocks", config.width, config.height, scale)
     try {
       views.head.camera(config) // refuses what the hardware does not take
       val program = CameraProgram(config.width, config.height, views.head.focal)

@@ -40,7 +40,9 @@ object PongCommand extends CommandLine {
     val part = Tops.find(o.board.top).get.part
     val need = config.scene.imageBits / 1024
     if (need > part.blockRamKbit)
-      throw InputError(s"$scene: its images need $need kbit, the ${part.name} of ${o.board.top} has ${part.blockRamKbit} in its block RAM; take smaller ones")
+      throw InputError(
+        s"$scene: its images need $need kbit, the ${part.name} of ${o.board.top} has ${part.blockRamKbit} in its block RAM; take smaller ones"
+      )
     try PongSession.compile(config, o.board)
     catch {
       case e: IllegalArgumentException =>

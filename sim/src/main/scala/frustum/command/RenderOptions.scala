@@ -118,13 +118,11 @@ object RenderOptions {
       (v, o) =>
         o.copy(panel = Some(v))
     )(oneOf(Panel.all.map(p => p.name -> p): _*)),
-    option[Int]("frames", "N", "frames of an animation; with more than one put %d in --out (default 1)")(
-      (v, o) =>
-        o.copy(frames = v)
+    option[Int]("frames", "N", "frames of an animation; with more than one put %d in --out (default 1)")((v, o) =>
+      o.copy(frames = v)
     )(count),
-    option[Double]("turn", "DEG", "turn about +y from each frame to the next (default 360 / frames)")(
-      (v, o) =>
-        o.copy(turn = Some(v))
+    option[Double]("turn", "DEG", "turn about +y from each frame to the next (default 360 / frames)")((v, o) =>
+      o.copy(turn = Some(v))
     )(finite),
     option[Path]("wave", "FILE.fst", "waveform; engines hardware and pipeline (default: none)")((v, o) =>
       o.copy(wave = Some(v))

@@ -14,7 +14,7 @@ object VerilogCommand extends CommandLine {
       val top       = arguments.find
       val directory = Paths.get("out", "verilog")
       Files.createDirectories(directory)
-      val scratch   = Files.createTempDirectory(directory, ".elaborate")
+      val scratch = Files.createTempDirectory(directory, ".elaborate")
       try {
         top.writeVerilog(scratch.toString)
         val file: Path = directory.resolve(s"${top.name}.v")

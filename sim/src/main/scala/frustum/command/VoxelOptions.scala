@@ -45,7 +45,7 @@ object VoxelOptions {
   private val worldSize: Read[(Int, Int, Int)] = Read.reads { text =>
     text.split("x", -1).map(_.toIntOption) match {
       case Array(Some(x), Some(y), Some(z)) => (x, y, z)
-      case _ => throw new IllegalArgumentException(s"'$text' is not a size such as 64x64x32")
+      case _                                => throw new IllegalArgumentException(s"'$text' is not a size such as 64x64x32")
     }
   }
 
@@ -78,9 +78,8 @@ object VoxelOptions {
       )((o, v) =>
         o.copy(world = Some(v))
       ),
-      option[(Int, Int, Int)]("world-size", "XxYxZ", "blocks, powers of two (default 64x64x32)", worldSize)(
-        (o, v) =>
-          o.copy(worldSize = v)
+      option[(Int, Int, Int)]("world-size", "XxYxZ", "blocks, powers of two (default 64x64x32)", worldSize)((o, v) =>
+        o.copy(worldSize = v)
       ),
       option[Path](
         "blocks",
@@ -100,9 +99,8 @@ object VoxelOptions {
       option[Double]("pitch", "DEG", "-90 to 90, up is positive (default -10)", Arguments.finite)((o, v) =>
         o.copy(pitch = Some(v))
       ),
-      option[Vector3d]("look", "dx,dy,dz", "direction, instead of --yaw and --pitch", Arguments.vector)(
-        (o, v) =>
-          o.copy(look = Some(v))
+      option[Vector3d]("look", "dx,dy,dz", "direction, instead of --yaw and --pitch", Arguments.vector)((o, v) =>
+        o.copy(look = Some(v))
       ),
       option[(Int, Int)]("size", "WxH", "pixels (default 320x240)", Arguments.size)((o, v) =>
         o.copy(size = v)

@@ -23,8 +23,8 @@ object VoxelScenes {
     val assets = o.blocks.fold(Blocks.assets)(BlockFile.read)
     val world  = o.world match {
       case Some(file) if file.toString.toLowerCase.endsWith(".vox") => VoxFile.read(file, size, assets)
-      case Some(file)                 => VoxelWorld.readRaw(file, size, assets.table.blocks.length)
-      case None if o.blocks.isDefined =>
+      case Some(file)                                               => VoxelWorld.readRaw(file, size, assets.table.blocks.length)
+      case None if o.blocks.isDefined                               =>
         throw InputError(
           "--blocks without --world: the hills are built of the workbench's own blocks; give a --world"
         )

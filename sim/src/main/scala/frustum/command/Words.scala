@@ -16,8 +16,8 @@ object Words {
       case '\\' if quote != '\'' && characters.hasNext => word += characters.next(); open = true
       case c if quote != 0 && c == quote               => quote = 0
       case c if quote == 0 && (c == '"' || c == '\'')  => quote = c; open = true
-      case c if quote == 0 && c.isWhitespace => if (open) words += word.result(); word.clear(); open = false
-      case c                                 => word += c; open = true
+      case c if quote == 0 && c.isWhitespace           => if (open) words += word.result(); word.clear(); open = false
+      case c                                           => word += c; open = true
     }
     if (quote != 0) throw InputError(s"the quote $quote is not closed in: $line")
     if (open) words += word.result()

@@ -37,16 +37,18 @@ object EngineSim {
     */
   def compile[C <: Component](name: String, wave: Option[Path] = None)(design: => C): SimCompiled[C] = synchronized {
     val kind = wave.map(file => if (file.toString.endsWith(".vcd")) "vcd" else "fst")
-    compiled.getOrElseUpdate((name, kind), {
-      println(s"$name: compiling the simulation; this takes a minute or two the first time")
-      val settings = SimConfig.withConfig(spinalConfig).allOptimisation.workspaceName(name + kind.fold("")("_" + _))
-      val waved = kind match {
-        case Some("vcd") => settings.withVcdWave
-        case Some(_)     => settings.withFstWave
-        case None        => settings
+    compiled.getOrElseUpdate(
+      (name, kind), {
+        println(s"$name: compiling the simulation; this takes a minute or two the first time")
+        val settings = SimConfig.withConfig(spinalConfig).allOptimisation.workspaceName(name + kind.fold("")("_" + _))
+        val waved    = kind match {
+          case Some("vcd") => settings.withVcdWave
+          case Some(_)     => settings.withFstWave
+          case None        => settings
+        }
+        waved.compile(design)
       }
-      waved.compile(design)
-    }).asInstanceOf[SimCompiled[C]]
+    ).asInstanceOf[SimCompiled[C]]
   }
 
   /** Lets so many clocks of a domain pass, all that the simulation does beside them included. */

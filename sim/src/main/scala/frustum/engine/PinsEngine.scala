@@ -12,7 +12,8 @@ import java.nio.file.Path
 final class PinsEngine(options: EngineOptions) extends Engine {
   import options.panel
 
-  def render(frames: Seq[PreparedFrame]): Seq[RenderedFrame] = if (frames.isEmpty) Nil else {
+  def render(frames: Seq[PreparedFrame]): Seq[RenderedFrame] = if (frames.isEmpty) Nil
+  else {
     val config = frames.head.config
     EngineSim.run(PinsEngine.compile(config, panel, options.wave), options.wave, options.seed) { dut =>
       val session = new PinsSession(dut)
@@ -22,9 +23,12 @@ final class PinsEngine(options: EngineOptions) extends Engine {
         val bytes  = frame.passes.flatMap(Driver.commands).flatten
         val clocks = session.frame(bytes, config.width * config.height)
         session.controller.violations.headOption.foreach(v =>
-          throw new IllegalStateException(s"the ${panel.name} would not put up with this: $v"))
+          throw new IllegalStateException(s"the ${panel.name} would not put up with this: $v")
+        )
         RenderedFrame(
-          session.controller.picture(config.width, config.height), clocksAtPins = Some(clocks), busBytes = Some(bytes.length.toLong)
+          session.controller.picture(config.width, config.height),
+          clocksAtPins = Some(clocks),
+          busBytes = Some(bytes.length.toLong)
         )
       }
     }

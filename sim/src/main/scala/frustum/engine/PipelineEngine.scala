@@ -12,7 +12,8 @@ import java.nio.file.Path
   */
 final class PipelineEngine(options: EngineOptions, byteStall: Double = 0, pixelStall: Double = 0) extends Engine {
 
-  def render(frames: Seq[PreparedFrame]): Seq[RenderedFrame] = if (frames.isEmpty) Nil else {
+  def render(frames: Seq[PreparedFrame]): Seq[RenderedFrame] = if (frames.isEmpty) Nil
+  else {
     val config = frames.head.config
     EngineSim.run(PipelineEngine.compile(config, options.wave), options.wave, options.seed) { dut =>
       val session = new PipelineSession(dut, options.seed, byteStall, pixelStall)
@@ -22,8 +23,11 @@ final class PipelineEngine(options: EngineOptions, byteStall: Double = 0, pixelS
         val image  = new Array[Int](config.width * config.height)
         val passes = frame.passes.map(session.take(_, image))
         RenderedFrame(
-          image, clocks = Some(passes.map(_.clocks).sum), busBytes = Some(PipelineEngine.busBytes(frame)),
-          setUps = Some(passes.map(_.setUps.toLong).sum), moves = Some(passes.map(_.moves.toLong).sum)
+          image,
+          clocks = Some(passes.map(_.clocks).sum),
+          busBytes = Some(PipelineEngine.busBytes(frame)),
+          setUps = Some(passes.map(_.setUps.toLong).sum),
+          moves = Some(passes.map(_.moves.toLong).sum)
         )
       }
       if (session.faulty) throw new IllegalStateException(s"the link refused what the driver sent: ${session.status}")

@@ -21,10 +21,10 @@ final case class DrawnPass(clocks: Long, events: Seq[PipelineEvent]) {
   */
 final class PipelineSession(dut: PipelineTestbed, seed: Long = 1, byteStall: Double = 0, pixelStall: Double = 0) {
   import PipelineSession._
-  private val config = dut.config
-  private val waiting = mutable.Queue.empty[Int] // bytes for which the ring had no room yet
-  private val pixels  = mutable.Queue.empty[RecordedPixel]
-  private val events  = mutable.Queue.empty[PipelineEvent]
+  private val config                             = dut.config
+  private val waiting                            = mutable.Queue.empty[Int] // bytes for which the ring had no room yet
+  private val pixels                             = mutable.Queue.empty[RecordedPixel]
+  private val events                             = mutable.Queue.empty[PipelineEvent]
   private var (queued, takenPixels, takenEvents) = (0L, 0L, 0L)
 
   dut.io.queued #= 0

@@ -21,8 +21,8 @@ object PongBoard {
   * visible: that monitor goes by the pulses alone.
   */
 case class PongTestbed(config: PongPipelineConfig, board: PongBoard) extends Component {
-  val io       = new Bundle { val up, down, left, right = in Bool () }
-  val monitor  = SimVideoMonitor(config.mode, config.format.bits)
+  val io            = new Bundle { val up, down, left, right = in Bool () }
+  val monitor       = SimVideoMonitor(config.mode, config.format.bits)
   private val pins  = monitor.io.pins
   private val clock = ClockDomain.current
 

@@ -41,10 +41,10 @@ case class VoxelBoardTestbed(config: VoxelConsoleConfig) extends Component {
 
   val inside = new Area {
     private def look(b: Bool) = b.pull().addTag(crossClockDomain)
-    val busy         = look(top.core.console.pipeline.io.busy)
-    val step         = look(top.core.console.pipeline.io.step)
-    val swap         = look(top.core.console.frames.io.swap)
-    val clocks, steps = Reg(UInt(32 bits)) init 0
+    val busy                  = look(top.core.console.pipeline.io.busy)
+    val step                  = look(top.core.console.pipeline.io.step)
+    val swap                  = look(top.core.console.frames.io.swap)
+    val clocks, steps         = Reg(UInt(32 bits)) init 0
     when(swap)(io.pictures := io.pictures + 1)
     when(busy) {
       clocks := clocks + 1
@@ -57,6 +57,7 @@ case class VoxelBoardTestbed(config: VoxelConsoleConfig) extends Component {
       steps     := 0
     }
   }
+
   /** The player's turns, for those who follow them. */
   val player = top.core.console.player
   (player.io.frame +: player.io.buttons.flatten).foreach(_.simPublic())

@@ -45,11 +45,11 @@ object RepeatRemoval {
 
   /** The triangle, or parts of it that have an offset. */
   def parts(triangle: ClipTriangle): Seq[ClipTriangle] = {
-    val along                               = axes(triangle)
+    val along                                 = axes(triangle)
     def tooLong(a: ClipVertex, b: ClipVertex) =
       along.exists { case (_, wrap, of) => steps(Seq(of(a), of(b)), of(a), wrap).isEmpty }
     def repeats(a: ClipVertex, b: ClipVertex) = along.map { case (_, _, of) => (of(a) - of(b)).abs }.max
-    val edges = (0 to 2).map(i => (triangle.v(i), triangle.v((i + 1) % 3), triangle.v((i + 2) % 3)))
+    val edges                                 = (0 to 2).map(i => (triangle.v(i), triangle.v((i + 1) % 3), triangle.v((i + 2) % 3)))
     // the longest first, which keeps parts from becoming slivers
     edges.filter(e => tooLong(e._1, e._2)).maxByOption(e => repeats(e._1, e._2)).fold(Seq(triangle)) { case (a, b, c) =>
       val m = middle(a, b)
@@ -67,7 +67,7 @@ object RepeatRemoval {
 
   /** Repeats to subtract from s and t of a part. */
   def offset(triangle: ClipTriangle): (Int, Int) = {
-    val nearest                   = triangle.v.minBy(_.clip.w)
+    val nearest             = triangle.v.minBy(_.clip.w)
     val Seq(alongS, alongT) = axes(triangle).map { case (name, wrap, of) =>
       steps(triangle.v.map(of), of(nearest), wrap)
         .getOrElse(throw new IllegalStateException(s"driver: $name of $triangle leaves the vertex format"))

@@ -74,8 +74,8 @@ final class Flip(width: Int, height: Int, pixelsPerDegree: Double = Flip.PixelsP
       val (positive, negative) = (k.filter(_ > 0).sum, -k.filter(_ < 0).sum)
       k.map(v => if (v > 0) v / positive else v / negative)
     }
-    val edge  = balanced(samples(radius)(x => -x * gauss(x)))
-    val point = balanced(samples(radius)(x => (x * x / (sigma * sigma) - 1) * gauss(x)))
+    val edge                                          = balanced(samples(radius)(x => -x * gauss(x)))
+    val point                                         = balanced(samples(radius)(x => (x * x / (sigma * sigma) - 1) * gauss(x)))
     def strength(image: Plane, kernel: Array[Double]) = {
       val y        = image.map(v => (v + 16) / 116)
       val (gx, gy) = (convolve(y, kernel, smooth), convolve(y, smooth, kernel))

@@ -35,10 +35,10 @@ final case class FrameVerdict(
 final class FrameJudge(model: Option[RasterConfig => PassRenderer], simulated: Boolean) {
 
   def judge(frame: PreparedFrame, rendered: RenderedFrame): FrameVerdict = {
-    val config   = frame.config
-    val memory   = ReferenceRaster.texelMemory(frame.textures)
-    val image    = new Array[Int](config.width * config.height)
-    val logs     = draw(frame, memory, image)
+    val config                      = frame.config
+    val memory                      = ReferenceRaster.texelMemory(frame.textures)
+    val image                       = new Array[Int](config.width * config.height)
+    val logs                        = draw(frame, memory, image)
     val reference                   = ReferenceRaster.draw(frame).rgb888
     val (endToEnd, endToEndPicture) = EndToEndJudge.judge(frame, logs)
     FrameVerdict(

@@ -48,7 +48,10 @@ object ColorFamily extends ChartFamily {
     val cells = costs.map { c =>
       def unit(format: ColorFormat) =
         c.timed(s"ordered dither to ${format.name}")(frustum.display.OrderedDither(format))
-      points((format, dither) => if (dither) { val u = unit(format); (u.luts.toDouble, Some(u)) } else (0.0, None))
+      points((format, dither) =>
+        if (dither) { val u = unit(format); (u.luts.toDouble, Some(u)) }
+        else (0.0, None)
+      )
     }
     Chart(
       "colour-bits",

@@ -21,8 +21,8 @@ object DepthFamily extends ChartFamily {
       fixed((1 / near - 1 / w) / (1 / near - 1 / far), bits)
     ),
     "1/w, without regard to the far plane" -> ((w, _, bits) => fixed(near / w, bits)),
-    "w, linear in space"                 -> ((w, far, bits) => fixed((w - near) / (far - near), bits)),
-    "reversed float, 5 bits of exponent" -> ((w, far, bits) =>
+    "w, linear in space"                   -> ((w, far, bits) => fixed((w - near) / (far - near), bits)),
+    "reversed float, 5 bits of exponent"   -> ((w, far, bits) =>
       float((1 / w - 1 / far) / (1 / near - 1 / far), bits)
     )
   )

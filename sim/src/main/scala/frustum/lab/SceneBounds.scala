@@ -26,9 +26,9 @@ final case class SceneBounds(scene: Scene, volume: CameraVolume, width: Int, hei
 
   /** Pixels from the screen's middle to the farthest vertex; infinite where the eye may be inside. */
   private val reach = camera.orthoHeight match {
-    case Some(h)                      => radius / h * height
-    case None if closest <= radius    => Double.PositiveInfinity
-    case None                         =>
+    case Some(h)                   => radius / h * height
+    case None if closest <= radius => Double.PositiveInfinity
+    case None                      =>
       radius / sqrt(closest * closest - radius * radius) / tan(toRadians(camera.fovDegrees) / 2) * height / 2
   }
 

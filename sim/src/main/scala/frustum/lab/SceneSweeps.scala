@@ -164,9 +164,8 @@ object SceneSweeps {
     Sweep(ValidFor.Clamped, 1, 1024, 5, Some(PeerDomain(1, 2, "clamped within +-2")))(reach =>
       texelsWrong(wall(1, reach, checks, Wrap.Clamp))
     ),
-    Sweep(ValidFor.TextureSide, 1, 10, 5, Some(PeerDomain(5, 7, "32, 64 or 128 square")), whole = true)(
-      log2 =>
-        texelsWrong(wall(1.3, 1, stripes(log2.toInt), Wrap.Repeat))
+    Sweep(ValidFor.TextureSide, 1, 10, 5, Some(PeerDomain(5, 7, "32, 64 or 128 square")), whole = true)(log2 =>
+      texelsWrong(wall(1.3, 1, stripes(log2.toInt), Wrap.Repeat))
     ),
     Sweep(ValidFor.DepthGap, 1e-5, 1, 100)(gap =>
       orderWrong(99 / (1 + gap), 99, Camera(origin, ahead, up, 60, 1, 100))

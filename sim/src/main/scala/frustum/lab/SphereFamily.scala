@@ -37,7 +37,7 @@ object SphereFamily extends ChartFamily {
   }.sum
 
   private def float(bits: Int): Test = {
-    def r(v: Double) = if (v == 0) v else { val e = bits - 1 - getExponent(v); scalb(rint(scalb(v, e)), -e) }
+    def r(v: Double)                          = if (v == 0) v else { val e = bits - 1 - getExponent(v); scalb(rint(scalb(v, e)), -e) }
     def inner(a: Seq[Double], b: Seq[Double]) =
       a.zip(b).map { case (x, y) => r(x * y) }.reduce((x, y) => r(x + y))
     (d, c) => {

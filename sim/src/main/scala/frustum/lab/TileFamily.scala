@@ -12,9 +12,9 @@ import frustum.spec.{PlaneFormats, RasterConfig, Wrap}
 object TileFamily extends ChartFamily {
   val name = "tiles"
 
-  private val Dropped = 6 // bits that the planes go without, so that the errors show
-  private val sizes = Seq((4, 4), (5, 4), (5, 5)) // a screen has at most 32 tiles a side
-  private val judge = new FrameJudge(Engines.model, simulated = false)
+  private val Dropped = 6                           // bits that the planes go without, so that the errors show
+  private val sizes   = Seq((4, 4), (5, 4), (5, 5)) // a screen has at most 32 tiles a side
+  private val judge   = new FrameJudge(Engines.model, simulated = false)
 
   private def frame(scene: String, config: RasterConfig): PreparedFrame = {
     val s = Scenes.byName(scene)

@@ -80,7 +80,17 @@ final class UnitCosts(say: String => Unit) {
     val code = tools.nextpnr.run(
       work,
       log,
-      Seq("--placer", Nextpnr.Placers.head, "--up5k", "--package", "sg48", "--json", "timed.netlist.json", "--report", "timed.report.json") ++
+      Seq(
+        "--placer",
+        Nextpnr.Placers.head,
+        "--up5k",
+        "--package",
+        "sg48",
+        "--json",
+        "timed.netlist.json",
+        "--report",
+        "timed.report.json"
+      ) ++
         Seq("--freq", "100", "--seed", s"$seed", "--timing-allow-fail", "--pcf-allow-unconstrained")
     )
     if (code == 0)

@@ -19,9 +19,9 @@ case class SimByteFeeder(bytesLog2: Int = 17) extends Component {
   val memory = Mem(Bits(8 bits), 1 << bytesLog2).simPublic()
   val sent   = RegInit(U(0, 32 bits))
   // Once offered, a byte stays offered.
-  val held   = RegNext(io.bytes.isStall, False)
+  val held = RegNext(io.bytes.isStall, False)
   io.bytes.valid   := sent =/= io.queued && (held || !io.stall)
   io.bytes.payload := memory.readAsync(sent.resized)
   when(io.bytes.fire)(sent := sent + 1)
-  io.sent := sent
+  io.sent          := sent
 }

@@ -35,7 +35,11 @@ object SimPixelRecorder {
   def entry(dut: SimPixelRecorder, index: Long): RecordedPixel = {
     val word = dut.memory.getBigInt(index & ((1L << dut.entriesLog2) - 1)).toLong
     RecordedPixel(
-      (word & 0xffff).toInt, ((word >> 26) & 1) != 0, ((word >> 21) & 31).toInt, ((word >> 16) & 31).toInt, (word >>> 27)
+      (word & 0xffff).toInt,
+      ((word >> 26) & 1) != 0,
+      ((word >> 21) & 31).toInt,
+      ((word >> 16) & 31).toInt,
+      (word >>> 27)
     )
   }
 }

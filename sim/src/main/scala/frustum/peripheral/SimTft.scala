@@ -32,12 +32,12 @@ case class SimTft(entriesLog2: Int = 18, gapLog2: Int = 10) extends Component {
   when(io.pins.cs || !io.pins.reset)(bit := 0)
   val complete = rising && bit === 7
 
-  val count    = RegInit(U(0, 32 bits))
-  val wasReset = RegInit(True) clearWhen complete setWhen !io.pins.reset
-  val clocks   = RegInit(U(0, 6 + gapLog2 bits))
-  when(!clocks.andR)(clocks := clocks + 1)
+  val count                  = RegInit(U(0, 32 bits))
+  val wasReset               = RegInit(True) clearWhen complete setWhen !io.pins.reset
+  val clocks                 = RegInit(U(0, 6 + gapLog2 bits))
+  when(!clocks.andR)(clocks               := clocks + 1)
   when(complete || !io.pins.reset)(clocks := 0) // after a reset the gap counts from its end
-  when(complete)(count := count + 1)
+  when(complete)(count                    := count + 1)
 
   val entry = clocks(gapLog2, 6 bits) ## wasReset ## io.pins.dc ## next
   val line  = Reg(Bits(16 * lanes bits)) init 0

@@ -22,10 +22,10 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
   private val pixels = mode.width * mode.height
   require(pixels % Lanes == 0, s"${mode.width} x ${mode.height} pixels, not a multiple of $Lanes")
   val io             = new Bundle {
-    val pins   = in(MonitorPins(colorBits))
-    val frames = out(UInt(32 bits)).simPublic() // complete ones
-    val errors = out(UInt(32 bits)).simPublic()
-    val visible = out Bool () // by the pulses: for a plug that does not tell
+    val pins    = in(MonitorPins(colorBits))
+    val frames  = out(UInt(32 bits)).simPublic() // complete ones
+    val errors  = out(UInt(32 bits)).simPublic()
+    val visible = out Bool ()                    // by the pulses: for a plug that does not tell
   }
   private def edges(pulse: Bool) = {
     val before = RegNext(pulse) init True // a pulse that lasts since the reset tells nothing
@@ -105,8 +105,8 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
 
   val frames = count(vStart && locked)
   io.frames := frames
-  val memory  = Mem(Bits(Lanes * colorBits bits), 2 * pixels / Lanes).simPublic()
-  val index   = Reg(UInt(log2Up(pixels) bits)) init 0
+  val memory = Mem(Bits(Lanes * colorBits bits), 2 * pixels / Lanes).simPublic()
+  val index  = Reg(UInt(log2Up(pixels) bits)) init 0
 
   /** The last pixels of a word, and those before them: what is long moves only now and then. */
   val few     = Reg(Bits((Few - 1) * colorBits bits)) init 0

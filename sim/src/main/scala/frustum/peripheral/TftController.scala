@@ -27,13 +27,13 @@ final class TftController(panel: Panel) {
   /** Pixels written since reset. */
   var pixels = 0L
 
-  private var access, format   = 0
+  private var access, format      = 0
   private var inverted, awake, on = false
-  private var (x0, x1, y0, y1) = (0, 0, 0, 0)
-  private var (column, row)    = (0, 0)
-  private var notBeforeMs      = Double.PositiveInfinity
-  private var command          = -1
-  private val parameters       = ArrayBuffer.empty[Int]
+  private var (x0, x1, y0, y1)    = (0, 0, 0, 0)
+  private var (column, row)       = (0, 0)
+  private var notBeforeMs         = Double.PositiveInfinity
+  private var command             = -1
+  private val parameters          = ArrayBuffer.empty[Int]
 
   private def violation(what: String): Unit = violations += what
 
@@ -102,9 +102,9 @@ final class TftController(panel: Panel) {
     }
   }
 
-  private def exchange          = (access & Exchange) != 0
-  private def width             = if (exchange) pages else columns
-  private def height            = if (exchange) columns else pages
+  private def exchange = (access & Exchange) != 0
+  private def width    = if (exchange) pages else columns
+  private def height   = if (exchange) columns else pages
 
   private def window(what: String, first: Int, last: Int, limit: Int): Unit =
     if (first > last || last >= limit) violation(s"$what $first to $last of $limit")
@@ -148,7 +148,15 @@ object TftController {
 
   /** Parameter bytes of the commands it knows. */
   val Parameters: Map[Int, Int] = Map(
-    SleepOut -> 0, NormalMode -> 0, InversionOff -> 0, InversionOn -> 0, DisplayOff -> 0, DisplayOn -> 0,
-    ColumnAddress -> 4, RowAddress -> 4, MemoryAccess -> 1, PixelFormat -> 1
+    SleepOut      -> 0,
+    NormalMode    -> 0,
+    InversionOff  -> 0,
+    InversionOn   -> 0,
+    DisplayOff    -> 0,
+    DisplayOn     -> 0,
+    ColumnAddress -> 4,
+    RowAddress    -> 4,
+    MemoryAccess  -> 1,
+    PixelFormat   -> 1
   )
 }

@@ -46,7 +46,7 @@ object MtlFile {
 
   private def material(e: Entry): Material = e.texture match {
     case Some(picture) => Material.textured(e.name, picture, e.alpha)
-    case None => Material(e.name, e.color, e.alpha, None, Combine.ColorOnly, blend = e.alpha < 1, None)
+    case None          => Material(e.name, e.color, e.alpha, None, Combine.ColorOnly, blend = e.alpha < 1, None)
   }
 
   private def diffuse(line: SourceLine): (Double, Double, Double) = {

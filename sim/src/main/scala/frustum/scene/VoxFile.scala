@@ -12,8 +12,8 @@ object VoxFile {
   private final case class Voxel(x: Int, y: Int, z: Int, color: Int)
 
   def read(file: Path, size: WorldSize, assets: VoxelAssets): VoxelWorld = {
-    def refuse(what: String): Nothing = throw InputError(s"$file: $what")
-    val bytes = ByteBuffer.wrap(InputFile.bytes(file, "check the file")).order(ByteOrder.LITTLE_ENDIAN)
+    def refuse(what: String): Nothing              = throw InputError(s"$file: $what")
+    val bytes                                      = ByteBuffer.wrap(InputFile.bytes(file, "check the file")).order(ByteOrder.LITTLE_ENDIAN)
     def need(at: Int, n: Long, what: String): Unit =
       if (n < 0 || at + n > bytes.limit)
         refuse(s"byte $at: $what ends beyond the file's ${bytes.limit} bytes; save it again")

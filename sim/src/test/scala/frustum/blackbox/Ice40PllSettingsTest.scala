@@ -5,7 +5,12 @@ import org.scalatest.funsuite.AnyFunSuite
 class Ice40PllSettingsTest extends AnyFunSuite {
   test("known dividers of the 12 MHz oscillator") {
     val known = Seq(
-      ("36", 0, 47, 4), ("36.75", 0, 48, 4), ("39.75", 0, 52, 4), ("40.5", 0, 53, 4), ("48", 0, 63, 4), ("25.5", 0, 67, 5)
+      ("36", 0, 47, 4),
+      ("36.75", 0, 48, 4),
+      ("39.75", 0, 52, 4),
+      ("40.5", 0, 53, 4),
+      ("48", 0, 63, 4),
+      ("25.5", 0, 67, 5)
     )
     for ((mhz, divr, divf, divq) <- known) {
       val settings = Ice40PllSettings(BigDecimal(12), BigDecimal(mhz))

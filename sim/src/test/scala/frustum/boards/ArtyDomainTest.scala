@@ -15,7 +15,7 @@ private case class ClockCount() extends Component {
   noIoPrefix()
   val core = new ClockingArea(ArtyDomain(io.clk, io.resetn, 100 MHz)) {
     val count = Reg(UInt(16 bits)) init 0
-    count := count + 1
+    count    := count + 1
     io.count := count
   }
 }

@@ -14,7 +14,7 @@ case class BlinkTop(coreMHz: BigDecimal, tech: Tech) extends Component {
   noIoPrefix()
 
   val clocking = new IcebreakerClock(io.clk, io.resetn, coreMHz, tech)
-  val serial = new ClockingArea(ClockDomain(io.sck, config = ClockDomainConfig(resetKind = BOOT))) {
+  val serial   = new ClockingArea(ClockDomain(io.sck, config = ClockDomainConfig(resetKind = BOOT))) {
     val toggle = RegInit(False)
     toggle := !toggle
   }
@@ -26,7 +26,7 @@ case class BlinkTop(coreMHz: BigDecimal, tech: Tech) extends Component {
     memory.io.address   := counter.value(15 downto 2)
     memory.io.writeData := counter.value.asBits
     memory.io.mask      := 1
-    val table = Mem(Bits(16 bits), 256) init Seq.tabulate(256)(i => B(i * i & 0xffff, 16 bits))
+    val table  = Mem(Bits(16 bits), 256) init Seq.tabulate(256)(i => B(i * i & 0xffff, 16 bits))
     val looked = table.readSync(memory.io.readData(7 downto 0).asUInt)
     io.led := RegNext(looked.xorR ^ BufferCC(serial.toggle, False))
   }

@@ -16,11 +16,15 @@ class FlowFiguresTest extends AnyFunSuite {
   private val top = BlinkTop.table(36, "blink.pcf")
 
   private def placement(seed: Int, core: Double, sck: Double = 99) = Placement(
-    seed, fits = true, Map("ICESTORM_LC" -> (100 + seed)), Map("ICESTORM_LC" -> 5280),
-    Map(top.core.net -> ((core, 36.0)), "sck$SB_IO_IN_$glb_clk" -> ((sck, 48.0)))
+    seed,
+    fits = true,
+    Map("ICESTORM_LC" -> (100 + seed)),
+    Map("ICESTORM_LC" -> 5280),
+    Map(top.core.net  -> ((core, 36.0)), "sck$SB_IO_IN_$glb_clk" -> ((sck, 48.0)))
   )
 
-  private def report(icetime: Seq[Double], placements: Placement*) = BitstreamReport(top, "yosys 1.0, nextpnr-ice40 1.0", placements, icetime)
+  private def report(icetime: Seq[Double], placements: Placement*) =
+    BitstreamReport(top, "yosys 1.0, nextpnr-ice40 1.0", placements, icetime)
 
   test("utilisation comes out of the log even when the design is too big") {
     val (used, available) = Nextpnr.utilisation(log)
@@ -78,7 +82,7 @@ class FlowFiguresTest extends AnyFunSuite {
 
   test("a design that does not fit has no clock, and a clock nobody asked a frequency of is an error") {
     val (used, available) = Nextpnr.utilisation(log)
-    val json = report(Seq(), Placement(1, fits = false, used, available, Map())).json("0")
+    val json              = report(Seq(), Placement(1, fits = false, used, available, Map())).json("0")
     assert(json("fits") == ujson.False && json("meetsTarget") == ujson.False && json("logicCells").num == 5412)
     assert(!json.value.contains("clockMHz"))
     val stray = placement(1, 42).copy(clocks = Map(top.core.net -> ((42.0, 36.0)), "stray" -> ((9.0, 36.0))))

@@ -10,7 +10,7 @@ import spinal.lib._
 /** A display that shows one colour, set by the rest of the SoC. */
 case class ColorScreen(clockHz: Long) extends Component {
   val config = RasterConfig(width = 240, height = 240, tileLog2Width = 4, tileLog2Height = 4)
-  val io = new Bundle {
+  val io     = new Bundle {
     val color   = in Bits (16 bits) // RGB565
     val display = master(DisplayPins())
   }

@@ -26,8 +26,8 @@ class VoxelTopTest extends AnyFunSuite {
         }
       case _ =>
     })
-    val seen  = mutable.Set.empty[BaseType]
-    val found = mutable.Set.empty[String]
+    val seen                         = mutable.Set.empty[BaseType]
+    val found                        = mutable.Set.empty[String]
     def follow(from: BaseType): Unit = for (to <- loads(from) if seen.add(to))
       if (to.isReg) found += to.component.getClass.getSimpleName else follow(to)
     follow(pin)

@@ -13,7 +13,7 @@ class VoxelCommandTest extends AnyFunSuite {
   private val inputs                                         = Files.createTempDirectory("voxel-inputs")
   private def file(name: String, bytes: Array[Byte]): String =
     Files.write(inputs.resolve(name), bytes).toString
-  private def file(name: String, text: String): String = file(name, text.getBytes)
+  private def file(name: String, text: String): String                                 = file(name, text.getBytes)
   private def png(name: String, width: Int, height: Int)(rgb: (Int, Int) => Int): Unit = {
     val image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)
     for (x <- 0 until width; y <- 0 until height) image.setRGB(x, y, rgb(x, y))

@@ -22,8 +22,8 @@ case class DisplayTop(config: RasterConfig, panel: Panel, fast: Int, clocksPerBi
   }
   val display = SpiDisplay(config, panel, DisplayTop.ClockHz, clocksPerBit, fast)
   val tft     = SimTft(gapLog2 = 8)
-  io.pins         := display.io.pins
-  tft.io.pins     := display.io.pins
+  io.pins     := display.io.pins
+  tft.io.pins := display.io.pins
   if (!free) display.io.pixels << io.pixels
   else {
     io.pixels.ready := False
@@ -118,7 +118,7 @@ class SpiDisplayTest extends AnyFunSuite {
 
   /** (D/C, byte, clock) at the pins, by the JVM: independent of the simulated hardware. */
   private def collect(dut: DisplayTop): ArrayBuffer[(Boolean, Int, Long)] = {
-    val got = ArrayBuffer.empty[(Boolean, Int, Long)]
+    val got                        = ArrayBuffer.empty[(Boolean, Int, Long)]
     var (sck, shift, count, clock) = (false, 0, 0, 0L)
     dut.clockDomain.onSamplings {
       clock += 1

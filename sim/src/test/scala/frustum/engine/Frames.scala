@@ -23,18 +23,27 @@ object Frames extends Assertions {
   /** Triangles anywhere, of any size, in several states. */
   def random(random: Random, config: RasterConfig, frame: Int, count: Int): FramePass = {
     val texture = TextureRef(0, 4, 5, if (random.nextBoolean()) TexelFormat.Rgb565 else TexelFormat.Rgba4444)
-    val states = IndexedSeq(
-      RenderState(), RenderState(Some(texture), combine = Combine.Replace, alphaRef = 9),
+    val states  = IndexedSeq(
+      RenderState(),
+      RenderState(Some(texture), combine = Combine.Replace, alphaRef = 9),
       RenderState(Some(texture), Wrap.Mirror, Wrap.Clamp, Combine.Modulate, DepthFunction.LessEq, depthWrite = false, blend = true)
     )
     def around(centre: Int, span: Int) = (centre + random.between(-span, span)).max(-PackedVertex.MaxXy).min(PackedVertex.MaxXy)
-    val vertices = IndexedSeq.tabulate(count) { _ =>
-      val span = 1 << random.between(5, 13)
+    val vertices                       = IndexedSeq.tabulate(count) { _ =>
+      val span   = 1 << random.between(5, 13)
       val (x, y) = (random.nextInt(config.width * 16), random.nextInt(config.height * 16))
       IndexedSeq.fill(3)(PackedVertex(
-        around(x, span), around(y, span), random.nextInt(65536), random.between(32768, 65536), random.between(12, 18),
-        random.between(-500000, 500000), random.between(-500000, 500000),
-        random.nextInt(256), random.nextInt(256), random.nextInt(256), random.nextInt(256)
+        around(x, span),
+        around(y, span),
+        random.nextInt(65536),
+        random.between(32768, 65536),
+        random.between(12, 18),
+        random.between(-500000, 500000),
+        random.between(-500000, 500000),
+        random.nextInt(256),
+        random.nextInt(256),
+        random.nextInt(256),
+        random.nextInt(256)
       ))
     }.flatten
     val triangles = IndexedSeq.tabulate(count)(i => PackedTriangle(random.nextInt(3), 3 * i, 3 * i + 1, 3 * i + 2))

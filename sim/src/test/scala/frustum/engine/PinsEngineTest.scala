@@ -39,7 +39,7 @@ class PinsEngineTest extends AnyFunSuite {
   }
 
   test("the host drives the display itself; the frame after is right again") {
-    val seed = 22
+    val seed    = 22
     val random  = new Random(seed)
     val texture = Frames.texture(random)
     val pass    = Frames.random(random, small, 0, 12)

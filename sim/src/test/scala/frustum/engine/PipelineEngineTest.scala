@@ -9,10 +9,21 @@ import scala.util.Random
 class PipelineEngineTest extends AnyFunSuite {
   private val odd      = RasterConfig(width = 72, height = 40)
   private val smallest = RasterConfig(
-    width = 40, height = 27, tileLog2Width = 3, tileLog2Height = 3, maxVertices = 200, maxTriangles = 200, textureTexels = 4096
+    width = 40,
+    height = 27,
+    tileLog2Width = 3,
+    tileLog2Height = 3,
+    maxVertices = 200,
+    maxTriangles = 200,
+    textureTexels = 4096
   )
 
-  private def simulate(config: RasterConfig, seed: Int, byteStall: Double = 0, pixelStall: Double = 0)(body: PipelineSession => Unit): Unit =
+  private def simulate(
+      config: RasterConfig,
+      seed: Int,
+      byteStall: Double = 0,
+      pixelStall: Double = 0
+  )(body: PipelineSession => Unit): Unit =
     EngineSim.run(PipelineEngine.compile(config), None, seed)(dut => body(new PipelineSession(dut, seed, byteStall, pixelStall)))
 
   private def check(session: PipelineSession, config: RasterConfig, textures: Seq[TextureUpload], pass: FramePass, what: String): Unit = {
@@ -68,7 +79,7 @@ class PipelineEngineTest extends AnyFunSuite {
       for (trial <- 0 until 40) {
         val bytes = Driver.commands(Frames.random(random, odd, 2 * trial, 10)).flatten
         val at    = random.nextInt(bytes.length)
-        val bad = trial % 4 match {
+        val bad   = trial % 4 match {
           case 0 => bytes.updated(at, bytes(at) ^ (1 << random.nextInt(8)))
           case 1 => bytes.patch(at, Nil, 1 + random.nextInt(30))
           case 2 => bytes.patch(at, Seq.fill(1 + random.nextInt(30))(random.nextInt(256)), 0)
@@ -124,7 +135,7 @@ class PipelineEngineTest extends AnyFunSuite {
   }
 
   test("a pipeline that stands still is told of") {
-    val pass = Frames.random(new Random(1), odd, 0, 3)
+    val pass  = Frames.random(new Random(1), odd, 0, 3)
     val fault = intercept[IllegalStateException](simulate(odd, 1) { session =>
       Driver.commands(pass).init.foreach(session.send) // draw is never sent
       session.take(pass, new Array[Int](odd.width * odd.height))

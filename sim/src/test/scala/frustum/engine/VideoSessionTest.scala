@@ -32,7 +32,7 @@ case class BeamPattern(mode: VideoMode) extends Component {
 }
 
 class VideoSessionTest extends AnyFunSuite {
-  private val mode = VideoMode("small", 1, 64, 32, 2, 3, 4, 1, 2, 3, hPositive = true, vPositive = false)
+  private val mode          = VideoMode("small", 1, 64, 32, 2, 3, 4, 1, 2, 3, hPositive = true, vPositive = false)
   private lazy val compiled = FrustumSim.compile("VideoSession")(BeamPattern(mode))
 
   private def run(body: (BeamPattern, VideoSession) => Unit): Unit = compiled.doSim("seed1", 1) { dut =>

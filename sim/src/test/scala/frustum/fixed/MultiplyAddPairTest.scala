@@ -12,7 +12,7 @@ class MultiplyAddPairTest extends AnyFunSuite {
 
   test("each half is its addend and product, one clock later") {
     FrustumSim.compile("MultiplyAddPair")(MultiplyAddPair(Tech.Generic)).doSim(seed) { dut =>
-      val r                            = new Random(seed)
+      val r                              = new Random(seed)
       def any(corners: Int*)(of: => Int) = if (r.nextBoolean()) corners(r.nextInt(corners.size)) else of
       dut.clockDomain.forkStimulus(10)
       dut.clockDomain.waitSampling()

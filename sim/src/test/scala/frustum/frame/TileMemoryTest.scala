@@ -46,7 +46,7 @@ class TileMemoryTest extends AnyFunSuite {
           clear.bank #= 1 - mine
           var known, knownResolved = false
           for (clock <- 0 until 40) {
-            val at = r.shuffle((0 until words).toList) // apart: a word is not read in the clock it is written
+            val at                           = r.shuffle((0 until words).toList) // apart: a word is not read in the clock it is written
             def chance                       = r.nextInt(4) > 0
             val (read, write, resolve, wipe) = (chance, chance, active && chance, chance)
             val (data, wiped)                = (r.nextInt(65536), r.nextInt(65536))

@@ -23,9 +23,9 @@ class PlayerCameraTest extends AnyFunSuite {
     val program = CameraProgram(width, height, focal)
     var worst   = 0.0
     for (yaw <- 0 until 1024 by 37; pitch <- -248 to 248 by 31) {
-      val player   = VoxelPlayer(IntVector(1000, 2000, 3000), yaw, pitch)
-      val camera   = PlayerCamera(player, c, program)
-      val ideal    = VoxelView(new Vector3d(), yaw * 360 / 1024.0, pitch * 360 / 1024.0, focal)
+      val player = VoxelPlayer(IntVector(1000, 2000, 3000), yaw, pitch)
+      val camera = PlayerCamera(player, c, program)
+      val ideal  = VoxelView(new Vector3d(), yaw * 360 / 1024.0, pitch * 360 / 1024.0, focal)
       for (i <- Seq(0, 97, width - 1); j <- Seq(0, 71, height - 1)) {
         val Seq(x, y, z) = camera.direction(i, j).map(_.toDouble)
         val d            = new Vector3d(x, y, z)

@@ -40,20 +40,31 @@ class VoxelPlayerHardwareTest extends AnyFunSuite {
     memory.io.read.address := Mux(player.io.edit.valid, editor.io.read.address, player.io.read.address)
     editor.io.read.word    := memory.io.read.word
     player.io.read.word    := memory.io.read.word
-    io.pose    := player.io.pose
-    io.rise    := player.io.rise
-    io.item    := player.io.item
-    io.refused := player.io.refused
-    io.camera  := player.io.camera
-    io.done    := player.io.done
+    io.pose                := player.io.pose
+    io.rise                := player.io.rise
+    io.item                := player.io.item
+    io.refused             := player.io.refused
+    io.camera              := player.io.camera
+    io.done                := player.io.done
     memory.words.simPublic()
   }
 
   private def press(port: VoxelButtons, b: Held): Unit = for (
     (pin, v) <- Seq(
-      port.forward -> b.forward, port.back -> b.back, port.left -> b.left, port.right -> b.right, port.up -> b.up, port.down -> b.down,
-      port.turnLeft -> b.turnLeft, port.turnRight -> b.turnRight, port.lookUp -> b.lookUp, port.lookDown -> b.lookDown,
-      port.next -> b.next, port.previous -> b.previous, port.place -> b.place, port.destroy -> b.destroy
+      port.forward   -> b.forward,
+      port.back      -> b.back,
+      port.left      -> b.left,
+      port.right     -> b.right,
+      port.up        -> b.up,
+      port.down      -> b.down,
+      port.turnLeft  -> b.turnLeft,
+      port.turnRight -> b.turnRight,
+      port.lookUp    -> b.lookUp,
+      port.lookDown  -> b.lookDown,
+      port.next      -> b.next,
+      port.previous  -> b.previous,
+      port.place     -> b.place,
+      port.destroy   -> b.destroy
     )
   ) pin #= v
 
@@ -90,7 +101,7 @@ class VoxelPlayerHardwareTest extends AnyFunSuite {
           }
           dut.io.place.valid #= true
           for (k <- 0 to 2) dut.io.place.feet(k) #= feet(k)
-          dut.io.place.yaw   #= player.yaw
+          dut.io.place.yaw #= player.yaw
           dut.io.place.pitch #= player.pitch
           dut.clockDomain.waitSampling()
           dut.io.place.valid #= false

@@ -19,7 +19,7 @@ object Prover extends Assertions {
     def python = {
       def own(name: String) = Yowasp.tool(name, "", _ => ())
       Yowasp.tool("yosys", "--version", _ => ()) // its first call compiles it, which may take longer than a proof may
-      val tool              = own("sby")
+      val tool  = own("sby")
       val parts = Map("YOSYS" -> "yosys", "SMTBMC" -> "yosys-smtbmc", "WITNESS" -> "yosys-witness")
       tool.copy(environment = tool.environment ++ parts.map { case (key, name) =>
         key -> own(name).command.head

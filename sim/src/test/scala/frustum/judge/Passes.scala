@@ -65,7 +65,7 @@ object Passes {
   )
       : Seq[(Int, Seq[PackedVertex])] = {
     def v(x: Double, y: Double, s: Double, t: Double) = vertex(x, y, z, 1, s, t, rgba)
-    val (a, b, c, d) = (v(x0, y0, 0, 1), v(x1, y0, 1, 1), v(x1, y1, 1, 0), v(x0, y1, 0, 0))
+    val (a, b, c, d)                                  = (v(x0, y0, 0, 1), v(x1, y0, 1, 1), v(x1, y1, 1, 0), v(x0, y1, 0, 0))
     Seq((state, Seq(a, b, c)), (state, Seq(a, c, d)))
   }
 

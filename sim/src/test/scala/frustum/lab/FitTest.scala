@@ -133,7 +133,7 @@ class FitTest extends AnyFunSuite {
   }
 
   test("of 40 views none over: at most 7.2 % of all, with 95 % confidence; one over: 11.3 %") {
-    val features = FitFeatures(Scenes.cube, small, DrawOptions(None, cullBack = false, Wrap.Repeat, 0))
+    val features          = FitFeatures(Scenes.cube, small, DrawOptions(None, cullBack = false, Wrap.Repeat, 0))
     def result(over: Int) = FitResult(
       features,
       FitBudget(1, None, None),

@@ -15,11 +15,13 @@ class RegisteredUnitTest extends AnyFunSuite {
   }
 
   test("two data pins and the clock, whether the unit has registers, black boxes with a clock of their own, or neither") {
-    for (unit <- Seq[() => Component](
+    for (
+      unit <- Seq[() => Component](
         () => frustum.display.OrderedDither(ColorFormat.Rgb444),
         () => new LongDivision(8),
         () => Multiplier16(Tech.Ice40, signedA = false, signedB = false, add = true)
-      )) {
+      )
+    ) {
       val text = verilog(unit())
       val top  = text.substring(text.indexOf("module timed"))
       val pins = top.substring(0, top.indexOf(");")).linesIterator.drop(1).map(_.trim.split("[ ,]+").last).toSet

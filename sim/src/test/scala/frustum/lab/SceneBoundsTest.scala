@@ -31,14 +31,16 @@ class SceneBoundsTest extends AnyFunSuite {
 
   private val far = CameraVolume((-180, 180), (-40, 40), (2, 5))
 
-  for ((scene, volume) <- Seq(
-      Scenes.cube       -> CameraVolume.default,
-      Scenes.cube       -> far,
-      Scenes.teapot(3)  -> CameraVolume.default,
-      Scenes.teapot(3)  -> far,
-      Scenes.floor      -> CameraVolume.default,
+  for (
+    (scene, volume) <- Seq(
+      Scenes.cube              -> CameraVolume.default,
+      Scenes.cube              -> far,
+      Scenes.teapot(3)         -> CameraVolume.default,
+      Scenes.teapot(3)         -> far,
+      Scenes.floor             -> CameraVolume.default,
       Scenes.byName("terrain") -> CameraVolume.default
-    ))
+    )
+  )
     test(s"${scene.name}, ${volume.distance}: nothing goes beyond") {
       val b       = bounds(scene, volume)
       val options = DrawOptions(None, cullBack = false, Wrap.Repeat, scene.background)

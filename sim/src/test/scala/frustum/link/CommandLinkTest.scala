@@ -9,7 +9,7 @@ import spinal.core.sim._
 import scala.util.Random
 
 class CommandLinkTest extends AnyFunSuite {
-  private val small = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
+  private val small         = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
   private lazy val compiled = FrustumSim.compile("CommandLink_small")(CommandLinkTop(small, dropWhenFull = false))
 
   private def run(sim: SimCompiled[CommandLinkTop], config: RasterConfig, stream: Seq[Int], seed: Int, stall: Double): Unit = {
@@ -72,7 +72,7 @@ class CommandLinkTest extends AnyFunSuite {
   }
 
   test("a byte flipped, lost or added anywhere costs one command at most and is counted") {
-    val t = new LinkTraffic(small, new Random(5))
+    val t        = new LinkTraffic(small, new Random(5))
     val commands = Seq(
       (Command.Begin, Seq(7, 0x1234, 0x0001, 0x0002)),
       (Command.State, Seq(3, 0x7e7d, 0x7d7e)),
@@ -80,8 +80,8 @@ class CommandLinkTest extends AnyFunSuite {
       (Command.Texels, Seq(5, 0x7e00, 0x1111)),
       (Command.Draw, Seq(2, 0))
     )
-    val clean = t.bytes(commands, errors = false)
-    val after = t.bytes(Seq((Command.Begin, Seq(8, 0, 0, 0)), (Command.Draw, Seq(0, 0))), errors = false)
+    val clean  = t.bytes(commands, errors = false)
+    val after  = t.bytes(Seq((Command.Begin, Seq(8, 0, 0, 0)), (Command.Draw, Seq(0, 0))), errors = false)
     val spoilt = for (at <- clean.indices; kind <- 0 until 4) yield kind match {
       case 0 => clean.patch(at, Seq(clean(at) ^ (1 << at % 8)), 1)
       case 1 => clean.patch(at, Nil, 1)
@@ -104,7 +104,12 @@ class CommandLinkTest extends AnyFunSuite {
 /** Comparisons of what the hardware left behind with the model. */
 object LinkChecks {
   def counters(s: LinkStatus): LinkCounters = LinkCounters(
-    s.accepted.toInt, s.dropped.toInt, s.verticesRefused.toInt, s.trianglesRefused.toInt, s.incomplete.toInt, s.drawn.toInt
+    s.accepted.toInt,
+    s.dropped.toInt,
+    s.verticesRefused.toInt,
+    s.trianglesRefused.toInt,
+    s.incomplete.toInt,
+    s.drawn.toInt
   )
 
   def same(config: RasterConfig, model: LinkModel, sink: LinkSink, where: String): Unit = {

@@ -11,7 +11,7 @@ import spinal.lib._
 /** The link with its store; `rival` comes before it at the store's port, to disturb it and to look inside. */
 case class CommandLinkTop(config: RasterConfig, dropWhenFull: Boolean) extends Component {
   val layout = StoreLayout(config)
-  val io = new Bundle {
+  val io     = new Bundle {
     val bytes   = slave(Stream(Bits(8 bits)))
     val rival   = slave(StoreBus(layout))
     val texels  = master(Stream(TexelWrite()))
@@ -23,16 +23,23 @@ case class CommandLinkTop(config: RasterConfig, dropWhenFull: Boolean) extends C
   val store = Store(layout, 2, Tech.Generic)
   store.io.clients(0) <> io.rival
   store.io.clients(1) <> link.io.store
-  link.io.bytes   << io.bytes
-  link.io.texels  >> io.texels
-  link.io.job     >> io.job
+  link.io.bytes << io.bytes
+  link.io.texels >> io.texels
+  link.io.job >> io.job
   link.io.jobDone := io.jobDone
   io.status       := link.io.status
 }
 
 /** Plays the rasterizer: takes texels and jobs, reads each job's bank, reports it done after a random time. */
-final class LinkSink(config: RasterConfig, clock: ClockDomain, texelWrites: Stream[TexelWrite], job: Stream[FrameJob],
-    jobDone: Bool, rival: StoreBus, stall: Double) {
+final class LinkSink(
+    config: RasterConfig,
+    clock: ClockDomain,
+    texelWrites: Stream[TexelWrite],
+    job: Stream[FrameJob],
+    jobDone: Bool,
+    rival: StoreBus,
+    stall: Double
+) {
   import frustum.model.link.Job
   import frustum.spec.TileRegion
   import scala.collection.mutable.ArrayBuffer
@@ -64,7 +71,7 @@ final class LinkSink(config: RasterConfig, clock: ClockDomain, texelWrites: Stre
         clock.waitSamplingWhere { rival.cmd.valid #= simRandom.nextDouble() < stall; job.valid.toBoolean }
         job.ready #= false
         val (bank, count, color) = (job.bank.toInt, job.triangleCount.toInt, job.clearColor.toInt)
-        val region = TileRegion(job.x0.toInt, job.y0.toInt, job.x1.toInt, job.y1.toInt)
+        val region               = TileRegion(job.x0.toInt, job.y0.toInt, job.x1.toInt, job.y1.toInt)
         jobs += Job(bank, count, color, region, readBank(bank))
         disturb(simRandom.nextInt(400))
         while (paused) clock.waitSampling()

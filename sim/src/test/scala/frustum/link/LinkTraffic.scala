@@ -6,13 +6,13 @@ import scala.util.Random
 
 /** Random commands for the link, right and wrong ones. */
 final class LinkTraffic(config: RasterConfig, random: Random) {
-  private def oneIn(n: Int) = random.nextInt(n) == 0
+  private def oneIn(n: Int)          = random.nextInt(n) == 0
   private def pick[A](values: A*): A = values(random.nextInt(values.length))
 
   private def clearColor(): Int = config.clearColor.filterNot(_ => oneIn(6)).getOrElse(random.nextInt(65536))
 
   def vertex(): Seq[Int] = {
-    val (most, mostSt) = (config.ranges.maxXy, config.ranges.maxSt)
+    val (most, mostSt)          = (config.ranges.maxXy, config.ranges.maxSt)
     def coordinate(pixels: Int) =
       if (oneIn(6)) pick(most, -most, 0, 8, 7, 9, -8, 16 * pixels, 16 * pixels - 8, 16 * pixels - 9, 16 * pixels + 8)
       else if (oneIn(40)) pick(-most - 1, most + 1, 32767, -32768)
@@ -24,10 +24,16 @@ final class LinkTraffic(config: RasterConfig, random: Random) {
     val mantissa = if (oneIn(30)) random.nextInt(65536) else 32768 + random.nextInt(32768)
     val (s, t)   = (texture(), texture())
     Seq(
-      coordinate(config.width) & 0xffff, coordinate(config.height) & 0xffff, random.nextInt(65536), mantissa,
-      random.nextInt(32) << 11 | (s >> 16 & 0x7ff), s & 0xffff,
-      random.nextInt(32) << 11 | (t >> 16 & 0x7ff), t & 0xffff,
-      random.nextInt(65536), random.nextInt(65536)
+      coordinate(config.width) & 0xffff,
+      coordinate(config.height) & 0xffff,
+      random.nextInt(65536),
+      mantissa,
+      random.nextInt(32) << 11 | (s >> 16 & 0x7ff),
+      s & 0xffff,
+      random.nextInt(32) << 11 | (t >> 16 & 0x7ff),
+      t & 0xffff,
+      random.nextInt(65536),
+      random.nextInt(65536)
     )
   }
 
@@ -48,7 +54,8 @@ final class LinkTraffic(config: RasterConfig, random: Random) {
   def fill(): Seq[Int] = {
     val vertex   = PackedVertex(0, 0, 0, 32768, 0, 0, 0, 0, 0, 0, 0).words
     val vertices = (0 until config.maxVertices).grouped(11).map(g => (Command.Vertices, g.head +: g.flatMap(_ => vertex)))
-    val one      = (Command.Begin, Seq(127, config.clearColor.getOrElse(0), 0, 0)) +: vertices.toSeq :+ ((Command.Draw, Seq(config.maxVertices, 0)))
+    val one      =
+      (Command.Begin, Seq(127, config.clearColor.getOrElse(0), 0, 0)) +: vertices.toSeq :+ ((Command.Draw, Seq(config.maxVertices, 0)))
     bytes(one ++ one, errors = false)
   }
 
@@ -61,9 +68,9 @@ final class LinkTraffic(config: RasterConfig, random: Random) {
 
   /** One frame as (command, payload). */
   def frame(number: Int): Seq[(Command, Seq[Int])] = {
-    val counts    = Seq.fill(1 + random.nextInt(5))(1 + random.nextInt(11))
-    var first     = if (oneIn(5)) (config.maxVertices - 6).max(0) else 0
-    val vertices  = counts.map { n =>
+    val counts   = Seq.fill(1 + random.nextInt(5))(1 + random.nextInt(11))
+    var first    = if (oneIn(5)) (config.maxVertices - 6).max(0) else 0
+    val vertices = counts.map { n =>
       val at = if (oneIn(30)) random.nextInt(65536) else first
       first += n
       (Command.Vertices, at +: Seq.fill(n)(vertex()).flatten)
@@ -81,8 +88,8 @@ final class LinkTraffic(config: RasterConfig, random: Random) {
       (Command.Texels, at +: Seq.fill(1 + random.nextInt(100))(random.nextInt(65536)))
     }
     val sentTriangles = if (oneIn(5)) random.nextInt(100) else groups.sum
-    val draw  = Seq((Command.Draw, Seq(counts.sum, sentTriangles)))
-    val begin = Seq((Command.Begin, Seq(number, clearColor()) ++ region()))
+    val draw          = Seq((Command.Draw, Seq(counts.sum, sentTriangles)))
+    val begin         = Seq((Command.Begin, Seq(number, clearColor()) ++ region()))
     (if (oneIn(12)) Nil else begin) ++ random.shuffle(states ++ texels) ++ vertices ++ triangles ++
       (if (oneIn(12)) Nil else draw)
   }

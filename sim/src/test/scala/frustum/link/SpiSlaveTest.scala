@@ -23,22 +23,22 @@ case class SpiLinkTop(config: RasterConfig) extends Component {
     val job     = master(Stream(FrameJob(config)))
     val jobDone = in Bool ()
   }
-  val spi  = SpiSlave()
-  val link = CommandLink(config)
+  val spi   = SpiSlave()
+  val link  = CommandLink(config)
   val store = Store(StoreLayout(config), 2, Tech.Generic)
   store.io.clients(0) <> io.rival
   store.io.clients(1) <> link.io.store
-  spi.io.pins     <> io.pins
-  spi.io.status   := link.io.status
-  spi.io.bytes    >> link.io.bytes
-  link.io.texels  >> io.texels
-  link.io.job     >> io.job
+  spi.io.pins <> io.pins
+  spi.io.status := link.io.status
+  spi.io.bytes >> link.io.bytes
+  link.io.texels >> io.texels
+  link.io.job >> io.job
   link.io.jobDone := io.jobDone
   io.cts          := link.io.status.cts
 }
 
 class SpiSlaveTest extends AnyFunSuite {
-  private val config = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
+  private val config        = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
   private lazy val compiled = FrustumSim.compile("SpiLinkTop")(SpiLinkTop(config))
 
   // Times in ps: half periods of SCK at 48 MHz and 10 MHz, periods of core clocks at 36, 48 and 24 MHz.
@@ -76,7 +76,10 @@ class SpiSlaveTest extends AnyFunSuite {
     assert(long.drop(LinkStatus.Bytes) == long.slice(1, LinkStatus.Bytes), where)
   }
 
-  for ((half, core, late, seed) <- Seq((sck48, 27778, 0, 1), (sck48, 27778, Framer.BytesAfterRoom, 2), (sck48, 20833, 8, 3), (sck10, 41667, 4, 4)))
+  for (
+    (half, core, late, seed) <-
+      Seq((sck48, 27778, 0, 1), (sck48, 27778, Framer.BytesAfterRoom, 2), (sck48, 20833, 8, 3), (sck10, 41667, 4, 4))
+  )
     test(s"SCK half period $half ps, core period $core ps, $late bytes after cts: nothing is lost") {
       simulate(s"heed$seed", seed, half, core, late) { (dut, host, sink, model) =>
         val t = new LinkTraffic(config, new Random(seed))

@@ -27,9 +27,7 @@ class MutationTest extends AnyFunSuite {
     assert(!mutants.forall(m => mutations.isEquivalent("EdgeWalker", m.number)))
   }
 
-  for (
-    (words, part) <- Seq(Seq("mutate", "luck") -> "edge-walker", Seq("mutate", "--mutants", "5000") -> "4095")
-  )
+  for ((words, part) <- Seq(Seq("mutate", "luck") -> "edge-walker", Seq("mutate", "--mutants", "5000") -> "4095"))
     test(s"refused: ${words.mkString(" ")}") {
       val run = CommandRunner.run(words: _*)
       assert(run.code == 2 && run.err.length == 1 && run.err.head.contains(part), run)

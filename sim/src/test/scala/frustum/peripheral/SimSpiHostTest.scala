@@ -30,14 +30,14 @@ case class SimSpiHostTop(config: RasterConfig, halfPeriod: Int) extends Componen
   val store = Store(StoreLayout(config), 2, Tech.Generic)
   store.io.clients(0) <> io.rival
   store.io.clients(1) <> link.io.store
-  spi.io.pins     <> host.io.pins
-  spi.io.status   := link.io.status
-  spi.io.bytes    >> link.io.bytes
-  host.io.cts     := link.io.status.cts
-  host.io.bytes   := io.bytes
-  io.sent         := host.io.sent
-  link.io.texels  >> io.texels
-  link.io.job     >> io.job
+  spi.io.pins <> host.io.pins
+  spi.io.status := link.io.status
+  spi.io.bytes >> link.io.bytes
+  host.io.cts   := link.io.status.cts
+  host.io.bytes := io.bytes
+  io.sent       := host.io.sent
+  link.io.texels >> io.texels
+  link.io.job >> io.job
   link.io.jobDone := io.jobDone
   io.status       := link.io.status
 }

@@ -18,7 +18,7 @@ class TftControllerTest extends AnyFunSuite {
 
   for (panel <- Panel.all) {
     test(s"${panel.name}: a proper start is no violation, windows wrap") {
-      val tft = started(panel)
+      val tft    = started(panel)
       val pixels = Seq.tabulate(32 * 16 + 1)(i => SpiDisplay.Pixel(i * 100 & 0xffff, i == 0, 2, 3))
       SpiDisplay.tiles(config, pixels).foreach { case (data, value) => tft.byte(data, value, 300) }
       val picture = tft.picture(240, 320)

@@ -10,8 +10,8 @@ class AnimatedGifTest extends AnyFunSuite {
   test("pictures, times and repetition come back") {
     val (width, height) = (24, 16)
     val colors          = Seq(0x000000, 0xff0000, 0x00ff40, 0x2040ff, 0xffff00, 0x888888)
-    val pictures = Seq.tabulate(3)(f => Array.tabulate(width * height)(i => colors((i + f) % colors.size)))
-    val file     = Files.createTempDirectory("gif").resolve("a.gif")
+    val pictures        = Seq.tabulate(3)(f => Array.tabulate(width * height)(i => colors((i + f) % colors.size)))
+    val file            = Files.createTempDirectory("gif").resolve("a.gif")
     AnimatedGif.write(file, width, height)(gif =>
       pictures.zip(Seq(3, 4, 100)).foreach { case (p, t) => gif.add(p, t) }
     )

@@ -83,17 +83,19 @@ class FittedPipelineTest extends AnyFunSuite {
     }
 
   test("the driver refuses vertices, depths and backgrounds that hardware was made without") {
-    val cube                          = Scenes.cube
-    val fitted                        = FitFeatures(cube, small, options(cube)).config
+    val cube                              = Scenes.cube
+    val fitted                            = FitFeatures(cube, small, options(cube)).config
     def refused(s: Scene, camera: Camera) =
       intercept[InputError](Driver.prepare(s, camera, options(s, depthTest = false), fitted, 0)).message
     assert(refused(cube.copy(background = 0xffffff), cube.camera).contains("background"))
     val eye  = new Vector3d(cube.camera.eye)
     val near = cube.camera.copy(eye = eye.mul(0.4), near = 0.1)
     assert(refused(cube, near).contains("depths of"))
-    val repeated = cube.copy(triangles = cube.triangles.map(t =>
-      t.copy(v0 = t.v0.copy(s = 3 * t.v0.s), v1 = t.v1.copy(s = 3 * t.v1.s), v2 = t.v2.copy(s = 3 * t.v2.s))
-    ))
+    val repeated = cube.copy(triangles =
+      cube.triangles.map(t =>
+        t.copy(v0 = t.v0.copy(s = 3 * t.v0.s), v1 = t.v1.copy(s = 3 * t.v1.s), v2 = t.v2.copy(s = 3 * t.v2.s))
+      )
+    )
     assert(refused(repeated, cube.camera).contains("texture coordinate"))
   }
 

@@ -38,7 +38,7 @@ final class HardTriangles(config: RasterConfig, r: Random) {
     },
     "at the screen's border" -> { () =>
       def border(end: Int) = (if (r.nextBoolean()) 0 else end) + r.between(-40, 41)
-      val p = if (r.nextBoolean()) (border(width), r.nextInt(height)) else (r.nextInt(width), border(height))
+      val p                = if (r.nextBoolean()) (border(width), r.nextInt(height)) else (r.nextInt(width), border(height))
       Seq(p, near(p, 200), near(p, 200))
     },
     "off the screen" -> { () =>

@@ -18,8 +18,8 @@ class TriangleSetupAccuracyTest extends AnyFunSuite {
     val setup = new TriangleSetup
     if (!setup.setup(v(0), v(1), v(2))) None
     else {
-      val largest = v.map(_.qExponent).max
-      val qs      = v.map(p => p.qMantissa * scala.math.pow(2, 15 - (largest - p.qExponent)))
+      val largest                       = v.map(_.qExponent).max
+      val qs                            = v.map(p => p.qMantissa * scala.math.pow(2, 15 - (largest - p.qExponent)))
       def plane(p: Int)(k: Int): Double = p match {
         case PlaneS => v(k).s / 65536.0 * qs(k) / 256
         case PlaneT => v(k).t / 65536.0 * qs(k) / 256
@@ -30,14 +30,16 @@ class TriangleSetupAccuracyTest extends AnyFunSuite {
         case PlaneB => v(k).b * 128.0
         case PlaneA => v(k).a * 128.0
       }
-      val area = (v(1).x - v(0).x).toDouble * (v(2).y - v(0).y) - (v(2).x - v(0).x).toDouble * (v(1).y - v(0).y)
+      val area  = (v(1).x - v(0).x).toDouble * (v(2).y - v(0).y) - (v(2).x - v(0).x).toDouble * (v(1).y - v(0).y)
       val worst = Array.fill(Planes)(0.0)
       for {
         tileY <- 0 until 20
         tileX <- 0 until 15
       } {
         val (left, right, top, bottom) = (tileX * 16, tileX * 16 + 15, tileY * 16, tileY * 16 + 15)
-        if (v.exists(_.x >= 16 * left) && v.exists(_.x < 16 * right + 16) && v.exists(_.y >= 16 * top) && v.exists(_.y < 16 * bottom + 16)) {
+        if (
+          v.exists(_.x >= 16 * left) && v.exists(_.x < 16 * right + 16) && v.exists(_.y >= 16 * top) && v.exists(_.y < 16 * bottom + 16)
+        ) {
           setup.edges(left, right, top, bottom)
           val spans = EdgeWalker.spans(left, right, top, bottom, setup.edge, setup.stepX, setup.stepY)
           assert(!setup.outside || spans.isEmpty, s"$v passed over in tile ($tileX, $tileY)")
@@ -45,8 +47,8 @@ class TriangleSetupAccuracyTest extends AnyFunSuite {
             setup.rebase(first.first, first.y)
             for (span <- spans; x <- span.first to span.last; p <- 0 until Planes) {
               val (px, py) = (16 * x + 8 - v(0).x, 16 * span.y + 8 - v(0).y)
-              val l1 = ((v(2).y - v(0).y).toDouble * px - (v(2).x - v(0).x).toDouble * py) / area
-              val l2 = ((v(1).x - v(0).x).toDouble * py - (v(1).y - v(0).y).toDouble * px) / area
+              val l1       = ((v(2).y - v(0).y).toDouble * px - (v(2).x - v(0).x).toDouble * py) / area
+              val l2       = ((v(1).x - v(0).x).toDouble * py - (v(1).y - v(0).y).toDouble * px) / area
               assert(l1 >= 0 && l2 >= 0 && l1 + l2 <= 1 + 1e-12, s"$v covers ($x, ${span.y})")
               val exact = plane(p)(0) * (1 - l1 - l2) + plane(p)(1) * l1 + plane(p)(2) * l2
               val got   = setup.initial(p) + (x - first.first) * setup.gradientX(p) + (span.y - first.y) * setup.gradientY(p)
@@ -61,9 +63,17 @@ class TriangleSetupAccuracyTest extends AnyFunSuite {
   }
 
   private def vertex(r: Random, spread: Int): PackedVertex = PackedVertex(
-    x = r.between(-200, 240 * 16 + 200), y = r.between(-200, 320 * 16 + 200), z = r.nextInt(65536),
-    qMantissa = r.between(32768, 65536), qExponent = 20 - r.nextInt(spread),
-    s = r.between(-4 << 16, 4 << 16), t = r.between(-4 << 16, 4 << 16), r.nextInt(256), r.nextInt(256), r.nextInt(256), r.nextInt(256)
+    x = r.between(-200, 240 * 16 + 200),
+    y = r.between(-200, 320 * 16 + 200),
+    z = r.nextInt(65536),
+    qMantissa = r.between(32768, 65536),
+    qExponent = 20 - r.nextInt(spread),
+    s = r.between(-4 << 16, 4 << 16),
+    t = r.between(-4 << 16, 4 << 16),
+    r.nextInt(256),
+    r.nextInt(256),
+    r.nextInt(256),
+    r.nextInt(256)
   )
 
   /** Whether a barycentric coordinate changes by half or more from pixel to pixel: its gradient then has 16 fraction
@@ -71,17 +81,17 @@ class TriangleSetupAccuracyTest extends AnyFunSuite {
     */
   private def sliver(v: IndexedSeq[PackedVertex]): Boolean = {
     val (dx1, dy1, dx2, dy2) = (v(1).x - v(0).x, v(1).y - v(0).y, v(2).x - v(0).x, v(2).y - v(0).y)
-    val area = dx1.toLong * dy2 - dx2.toLong * dy1
+    val area                 = dx1.toLong * dy2 - dx2.toLong * dy1
     Seq(dx1, dy1, dx2, dy2).exists(d => 32L * d.abs >= area)
   }
 
   test("planes of random triangles") {
-    val r = new Random(seed)
+    val r     = new Random(seed)
     val found = Iterator.continually {
-      val a = vertex(r, 8)
-      val size = 1 << r.between(3, 12)
+      val a                     = vertex(r, 8)
+      val size                  = 1 << r.between(3, 12)
       def near(v: PackedVertex) = v.copy(x = a.x + r.between(-size, size + 1), y = a.y + r.between(-size, size + 1))
-      val v = IndexedSeq(a, near(vertex(r, 8)), near(vertex(r, 8)))
+      val v                     = IndexedSeq(a, near(vertex(r, 8)), near(vertex(r, 8)))
       errors(v).map(sliver(v) -> _)
     }.flatten.take(2000).toSeq
     // A sliver's two barycentric coordinates are off by 2^-17 each a step, differences are below 2^31, steps at most 30.

@@ -108,8 +108,8 @@ class ObjSceneTest extends AnyFunSuite {
         |d 0.5
         |map_Kd ok.png""".stripMargin
     val names = Seq("red", "glass", "wood", "fence", "haze", "pane")
-    val s = read(square + "mtllib a.mtl\n" + names.map(n => s"usemtl $n\nf 1/1 2/2 3/3\n").mkString, mtl)
-    val m = s.triangles.map(t => s.materials(t.material))
+    val s     = read(square + "mtllib a.mtl\n" + names.map(n => s"usemtl $n\nf 1/1 2/2 3/3\n").mkString, mtl)
+    val m     = s.triangles.map(t => s.materials(t.material))
     assert(m.map(_.name) == names)
     assert(m.map(_.color) == Seq((1, 0, 0), (0, 0, 1), (1, 1, 1), (1, 1, 1), (1, 1, 1), (1, 1, 1)))
     assert(m.map(_.alpha) == Seq(1, 0.25, 1, 1, 1, 0.5))

@@ -50,9 +50,9 @@ class LateDivideTest extends AnyFunSuite {
   }
 
   test("it is for triangles whose depths are near each other, where unwanted planes leave it its memories") {
-    val texture            = Some(TextureRef(0, 5, 5, TexelFormat.Rgb565))
-    val replace            = RenderState(texture, combine = Combine.Replace)
-    val flat               = replace.copy(depth = DepthFunction.Always)
+    val texture                                = Some(TextureRef(0, 5, 5, TexelFormat.Rgb565))
+    val replace                                = RenderState(texture, combine = Combine.Replace)
+    val flat                                   = replace.copy(depth = DepthFunction.Always)
     def made(ratio: Int, states: RenderState*) =
       RasterConfig(ranges = VertexRanges(ratio = ratio), fixed = FixedState.of(states: _*))
     for (c <- Seq(made(3, flat), made(1, replace), made(3, flat, flat.copy(blend = true)))) {

@@ -144,19 +144,30 @@ class VoxelConsoleTest extends AnyFunSuite {
       val b          = dut.player.io.buttons
       dut.clockDomain.onSamplings {
         if (dut.player.io.frame.toBoolean) turns += VoxelButtons(
-          b.forward.toBoolean, b.back.toBoolean, b.left.toBoolean, b.right.toBoolean, b.up.toBoolean, b.down.toBoolean,
-          b.turnLeft.toBoolean, b.turnRight.toBoolean, b.lookUp.toBoolean, b.lookDown.toBoolean,
-          b.next.toBoolean, b.previous.toBoolean, b.place.toBoolean, b.destroy.toBoolean
+          b.forward.toBoolean,
+          b.back.toBoolean,
+          b.left.toBoolean,
+          b.right.toBoolean,
+          b.up.toBoolean,
+          b.down.toBoolean,
+          b.turnLeft.toBoolean,
+          b.turnRight.toBoolean,
+          b.lookUp.toBoolean,
+          b.lookDown.toBoolean,
+          b.next.toBoolean,
+          b.previous.toBoolean,
+          b.place.toBoolean,
+          b.destroy.toBoolean
         )
       }
-      val program      = config.program
-      val rules        = config.rules
-      var model        = new VoxelModel(c, Blocks.assets, world)
-      var player       = VoxelPlayer(config.start.feet, config.start.yaw)
-      var pointed      = Option.empty[SeenFace]
-      var edits, ticks = 0
-      val views        = ArrayBuffer.empty[Int => Array[Int]] // by the rate that is written over them
-      var rates        = Seq(0, 0)                            // as of the frame before and now
+      val program        = config.program
+      val rules          = config.rules
+      var model          = new VoxelModel(c, Blocks.assets, world)
+      var player         = VoxelPlayer(config.start.feet, config.start.yaw)
+      var pointed        = Option.empty[SeenFace]
+      var edits, ticks   = 0
+      val views          = ArrayBuffer.empty[Int => Array[Int]] // by the rate that is written over them
+      var rates          = Seq(0, 0)                            // as of the frame before and now
       def follow(): Unit = while (ticks < turns.length) {
         val (moved, edit) = player.frame(turns(ticks), rules, Blocks.table, pointed, model.world(_, _, _))
         player = moved
@@ -172,13 +183,26 @@ class VoxelConsoleTest extends AnyFunSuite {
       }
       // From the start on, then put above the hills to fall onto them.
       val script = Seq(
-        4 -> pad(Set(select)), 6 -> pad(Set(triangle)), 10 -> pad(Set(up)), 6 -> pad(Set(left, up, cross)), 10 -> pad(Set(square)),
-        3 -> pad(Set(r2)), 3 -> pad(Set()), 3 -> pad(Set(r2)), 3 -> pad(Set(r1)), 3 -> pad(Set()), 3 -> pad(Set(r1)), 4 -> pad(Set(l2)),
-        8 -> pad(Set(), Seq(255, 20, 128, 0)), 8 -> pad(Set(), Seq(0, 230, 255, 128)), 4 -> pad(Set(r2, up)), 4 -> Nil
+        4  -> pad(Set(select)),
+        6  -> pad(Set(triangle)),
+        10 -> pad(Set(up)),
+        6  -> pad(Set(left, up, cross)),
+        10 -> pad(Set(square)),
+        3  -> pad(Set(r2)),
+        3  -> pad(Set()),
+        3  -> pad(Set(r2)),
+        3  -> pad(Set(r1)),
+        3  -> pad(Set()),
+        3  -> pad(Set(r1)),
+        4  -> pad(Set(l2)),
+        8  -> pad(Set(), Seq(255, 20, 128, 0)),
+        8  -> pad(Set(), Seq(0, 230, 255, 128)),
+        4  -> pad(Set(r2, up)),
+        4  -> Nil
       )
-      var index = 0
+      var index                               = 0
       def shows(view: Int, frame: Array[Int]) = rates.distinct.exists(views(view)(_).sameElements(frame))
-      var latest = Array.empty[Int]
+      var latest                              = Array.empty[Int]
       for (((frames, answer), n) <- script.zipWithIndex) {
         controller.answer = answer
         for (f <- 0 until frames) {

@@ -52,9 +52,9 @@ class WorldEditorTest extends AnyFunSuite {
           case _                    => random.nextInt(size.blocks)
         }
         val id = if (world.ids(at) != 0 && random.nextInt(4) > 0) 0 else random.nextInt(25) // also air to air, block to block
-        dut.edit.valid   #= true
+        dut.edit.valid #= true
         dut.edit.address #= at
-        dut.edit.id      #= id
+        dut.edit.id #= id
         var clocks = 0
         do { dut.clockDomain.waitSampling(); clocks += 1 } while (!dut.edit.ready.toBoolean && clocks < 1000000)
         dut.edit.valid #= false

@@ -5,6 +5,7 @@ import spinal.lib.{History, ResetCtrl}
 
 /** A clock domain of the Arty: reset from power up on for some clocks, and by the red button. The reset is a register of the clock, and synchronous. */
 object ArtyDomain {
+
   /** Clocks of reset from power up on. */
   private val PowerUp = 4
 

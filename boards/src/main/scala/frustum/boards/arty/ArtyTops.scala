@@ -21,7 +21,7 @@ object ArtyTops {
     Blocks.assets,
     VideoMode.Vga640x480
   )
-  val voxelConfig: VoxelConsoleConfig   = voxelConsole(320, 240)
+  val voxelConfig: VoxelConsoleConfig = voxelConsole(320, 240)
 
   /** What 50 block RAMs hold: a picture of a quarter of the pixels. */
   val voxel35Config: VoxelConsoleConfig = voxelConsole(160, 120)

@@ -10,10 +10,12 @@ object Artix7Tools {
     def missing(what: String) = throw MissingTool(
       s"$what is not on PATH: install Debian's yosys, ${names.head} and ${names.head}-chipdb, of Debian 14 or later"
     )
-    val (major, minor) = Ice40Tools.OldestYosys
+    def newEnough(name: String, oldest: (Int, Int)) = s"$name ${oldest._1}.${oldest._2} or newer"
+    val yosys                                       = Tool.native("yosys", "-V", Ice40Tools.OldestYosys)
+    val nextpnr                                     = names.flatMap(Tool.native(_, "--version", Nextpnr.Oldest)).headOption
     Artix7Tools(
-      Tool.native("yosys", "-V", (major, minor)).getOrElse(missing(s"yosys $major.$minor or newer")),
-      names.flatMap(Tool.native(_, "--version", Nextpnr.Oldest)).headOption.getOrElse(missing(s"${names.head} ${Nextpnr.Oldest._1}.${Nextpnr.Oldest._2} or newer"))
+      yosys.getOrElse(missing(newEnough("yosys", Ice40Tools.OldestYosys))),
+      nextpnr.getOrElse(missing(newEnough(names.head, Nextpnr.Oldest)))
     )
   }
 }

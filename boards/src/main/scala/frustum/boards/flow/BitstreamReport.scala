@@ -29,7 +29,7 @@ final case class BitstreamReport(
 
   /** Clocks that fall short in some seed, with what they reach. */
   def shortfalls: Seq[String] = for {
-    p <- placements
+    p                           <- placements
     (net, (achieved, required)) <- p.clocks.toSeq.sorted
     if achieved < required
   } yield f"seed ${p.seed}: $net $achieved%.2f of $required%.2f MHz"
@@ -48,11 +48,11 @@ final case class BitstreamReport(
     val figures = ujson.Obj(
       "command" -> "bitstream",
       "version" -> version,
-      "seed" -> placements.head.seed,
-      "engine" -> engine,
-      "top" -> top.name,
-      "part" -> top.part.name,
-      "fits" -> fits
+      "seed"    -> placements.head.seed,
+      "engine"  -> engine,
+      "top"     -> top.name,
+      "part"    -> top.part.name,
+      "fits"    -> fits
     )
     for ((key, kinds) <- top.part.figures) figures(key) = kinds.map(worst).sum
     if (fits) figures("clockMHz") = ujson.Obj("min" -> coreMHz.min, "max" -> coreMHz.max, "seeds" -> ujson.Arr.from(coreMHz))

@@ -24,7 +24,7 @@ object Yosys {
       (_, module)  <- netlist("modules").obj.toSeq
       (name, cell) <- module.obj.get("cells").map(_.obj.toSeq).getOrElse(Seq())
       if cell("type").str == "SB_MAC16"
-      pins = cell("connections").obj
+      pins    = cell("connections").obj
       clocked = pins.get("CLK").exists(_.arr.exists(_.numOpt.isDefined))
       enabled = !pins.get("CE").exists(_.arr.exists(_.strOpt.contains("0")))
       if !clocked || !enabled

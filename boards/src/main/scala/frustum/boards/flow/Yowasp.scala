@@ -13,8 +13,8 @@ object Yowasp {
   /** What `project/yowasp-ecp5.txt` lists: nextpnr-ecp5, some 170 MB. */
   val Ecp5 = "yowasp-ecp5.txt"
 
-  private val home         = Paths.get(".cache", "yowasp").toAbsolutePath
-  private val compiled     = Map("YOWASP_CACHE_DIR" -> home.resolve("compiled").toString)
+  private val home     = Paths.get(".cache", "yowasp").toAbsolutePath
+  private val compiled = Map("YOWASP_CACHE_DIR" -> home.resolve("compiled").toString)
 
   /** The tool `yowasp-<name>`.
     *
@@ -54,7 +54,7 @@ object Yowasp {
 
   private def step(log: String, packages: String, remedy: String, command: Seq[String]): Unit = {
     val directory: Path = Files.createDirectories(home.resolveSibling("log"))
-    val done =
+    val done            =
       try Tool(command.head, "", command, Map()).run(directory, log, Seq()) == 0
       catch { case _: java.io.IOException => false }
     if (!done) throw MissingTool(s"cannot install $packages (.cache/log/$log): $remedy")

@@ -18,7 +18,7 @@ class IcebreakerClock(clockPin: Bool, run: Bool, coreMHz: BigDecimal, tech: Tech
   pll.io.enable  := True
 
   private val unreset = ClockDomain(pll.io.clockOut, config = ClockDomainConfig(resetKind = BOOT))
-  val reset = ResetCtrl.asyncAssertSyncDeassert(
+  val reset           = ResetCtrl.asyncAssertSyncDeassert(
     input = !(pll.io.locked && run),
     clockDomain = unreset,
     inputPolarity = HIGH,

@@ -17,7 +17,7 @@ case class RasterTop(config: RasterConfig, panel: Panel, coreMHz: BigDecimal, te
   noIoPrefix()
 
   val clocking = new IcebreakerClock(io.clk, io.resetn, coreMHz, tech)
-  val core = new ClockingArea(clocking.domain) {
+  val core     = new ClockingArea(clocking.domain) {
     val slave    = SpiSlave()
     val pipeline = RasterPipeline(config, tech = tech)
     val display  = SpiDisplay(config, panel, (coreMHz * 1000000).toLong, fast = fast)
@@ -26,14 +26,14 @@ case class RasterTop(config: RasterConfig, panel: Panel, coreMHz: BigDecimal, te
     slave.io.pins <> io.host
     slave.io.bytes >> pipeline.io.bytes
     slave.io.status := pipeline.io.status
-    io.cts := RegNext(pipeline.io.status.cts, False)
+    io.cts          := RegNext(pipeline.io.status.cts, False)
     pipeline.io.pixels >> display.io.pixels
     through.io.core <> display.io.pins
-    through.io.mux := io.tftMux
-    through.io.sck := io.host.sck
+    through.io.mux  := io.tftMux
+    through.io.sck  := io.host.sck
     through.io.mosi := io.host.mosi
-    through.io.cs := io.tftCs
-    through.io.dc := io.tftDc
+    through.io.cs   := io.tftCs
+    through.io.dc   := io.tftDc
     through.io.pins <> io.display
   }
 }

@@ -43,7 +43,7 @@ final case class VoxelPlayer(
       pointedAt: Option[SeenFace],
       id: (Int, Int, Int) => Int
   ): (VoxelPlayer, Option[VoxelEdit]) = {
-    val (counted, change) = edit(b, held, pointedAt, rules)
+    val (counted, change)           = edit(b, held, pointedAt, rules)
     def now(x: Int, y: Int, z: Int) =
       change.filter(e => (e.x, e.y, e.z) == ((x, y, z))).fold(id(x, y, z))(_.id)
     (counted.tick(b, rules, solid(table, now)), change)
@@ -64,7 +64,7 @@ final case class VoxelPlayer(
     )
     val (ahead, aside) = (both(b.forward, b.back), both(b.right, b.left))
     val (c, s)         = (SineTable.coarse(turned.yaw + Turn / 4), SineTable.coarse(turned.yaw))
-    val (dx, dy) = ((WalkStep * (ahead * c + aside * s)) >> 8, (WalkStep * (ahead * s - aside * c)) >> 8)
+    val (dx, dy)       = ((WalkStep * (ahead * c + aside * s)) >> 8, (WalkStep * (ahead * s - aside * c)) >> 8)
     turned.moved(dx, dy, rules, b, solid)
   }
 
@@ -127,7 +127,9 @@ object VoxelPlayer {
   }
 
   def inRange(feet: IntVector, rules: VoxelRules): Boolean =
-    (0 to 2).forall { k => val (low, high) = rules.range(k); feet(k) >= low && feet(k) <= high }
+    (0 to 2).forall { k =>
+      val (low, high) = rules.range(k); feet(k) >= low && feet(k) <= high
+    }
 
   /** Everything that can be pointed at stops a player; water does not. */
   def solid(table: BlockTable, id: (Int, Int, Int) => Int): (Int, Int, Int) => Boolean =

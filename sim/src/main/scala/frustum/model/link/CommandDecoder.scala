@@ -30,14 +30,14 @@ final class CommandDecoder(config: RasterConfig) {
 
   def execute(opcode: Int, words: Seq[Int]): Unit = {
     val done = Command.all.find(_.opcode == opcode) match {
-      case Some(Command.Begin)             => begin(words)
-      case Some(Command.Texels)            => writeTexels(words.head, words.tail)
-      case _ if !open                      => false
-      case Some(Command.State)             => writeState(words)
-      case Some(Command.Vertices)          => writeVertices(words.head, words.tail); true
-      case Some(Command.Triangles)         => writeTriangles(words.head, words.tail)
-      case Some(Command.Draw)              => draw(words(0), words(1)); true
-      case _                               => false
+      case Some(Command.Begin)     => begin(words)
+      case Some(Command.Texels)    => writeTexels(words.head, words.tail)
+      case _ if !open              => false
+      case Some(Command.State)     => writeState(words)
+      case Some(Command.Vertices)  => writeVertices(words.head, words.tail); true
+      case Some(Command.Triangles) => writeTriangles(words.head, words.tail)
+      case Some(Command.Draw)      => draw(words(0), words(1)); true
+      case _                       => false
     }
     if (done) accepted += 1 else refused += 1
   }
@@ -98,7 +98,7 @@ final class CommandDecoder(config: RasterConfig) {
   private def writeTriangle(state: Int, indices: Long): Unit = {
     triangles = (triangles + 1) & 0xfff
     val corners = Seq(20, 10, 0).map(shift => ((indices >> shift) & 1023).toInt)
-    val sent = corners.forall { v =>
+    val sent    = corners.forall { v =>
       v < config.maxVertices && banks(bank)(layout.vertexWords * v + 3) != CommandDecoder.Unwritten &&
       (banks(bank)(layout.vertexWords * v + 3) >> 25) == tag
     }

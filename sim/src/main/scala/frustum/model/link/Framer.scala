@@ -8,8 +8,8 @@ import scala.collection.mutable.ArrayBuffer
 /** Bytes of the wire to the commands that are right, see [[frustum.link.Framer]]; there is always room. */
 final class Framer {
   private sealed trait State
-  private case object Stray extends State
-  private case object Skip extends State
+  private case object Stray   extends State
+  private case object Skip    extends State
   private case object Collect extends State
 
   private var state: State = Stray
@@ -39,7 +39,7 @@ final class Framer {
           dropped += 1
           state = Skip
           None
-        case Skip => None
+        case Skip    => None
         case Collect =>
           body += data
           if (body.length == 2 && !CommandShape.accepts(body(0), body(1))) {
@@ -55,7 +55,7 @@ final class Framer {
   private def finish(): Option[(Int, Seq[Int])] =
     if (Command.crc(body.toSeq) == 0) {
       state = Stray
-      val words = body.slice(2, body.length - 2).grouped(2).map(p => p(0) << 8 | p(1)).toSeq
+      val words  = body.slice(2, body.length - 2).grouped(2).map(p => p(0) << 8 | p(1)).toSeq
       val result = Some((body.head, words))
       body.clear()
       result

@@ -4,7 +4,12 @@ import frustum.spec.RasterConfig
 
 /** The counters a host reads on MISO, in the order of [[frustum.link.LinkStatus]], each modulo 256. */
 final case class LinkCounters(
-    accepted: Int, dropped: Int, verticesRefused: Int, trianglesRefused: Int, incomplete: Int, drawn: Int
+    accepted: Int,
+    dropped: Int,
+    verticesRefused: Int,
+    trianglesRefused: Int,
+    incomplete: Int,
+    drawn: Int
 )
 
 /** The way in as a whole: bytes of the wire to store, texel memory, jobs and counters, bit for bit as

@@ -6,9 +6,21 @@ import frustum.spec.SetupWords._
 /** Takes what the rasterizer makes of a frame, in the hardware's order. */
 trait FragmentSink {
   def tile(tileX: Int, tileY: Int): Unit
+
   /** A covered pixel of the tile; planes as in `frustum.raster.InterpolatedFragment`. */
   def fragment(
-      triangle: Int, state: RenderState, x: Int, y: Int, s: Int, t: Int, q: Int, z: Int, r: Int, g: Int, b: Int, a: Int
+      triangle: Int,
+      state: RenderState,
+      x: Int,
+      y: Int,
+      s: Int,
+      t: Int,
+      q: Int,
+      z: Int,
+      r: Int,
+      g: Int,
+      b: Int,
+      a: Int
   ): Unit
   def tileEnd(tileX: Int, tileY: Int): Unit
 }
@@ -32,8 +44,8 @@ final case class Rasterizer(config: RasterConfig) {
 
   private def drawInTile(pass: FramePass, n: Int, setup: TriangleSetup, tileX: Int, tileY: Int, sink: FragmentSink): Unit = {
     val (originX, originY) = (tileX * config.tileWidth, tileY * config.tileHeight)
-    val right  = scala.math.min(originX + config.tileWidth, config.width) - 1
-    val bottom = scala.math.min(originY + config.tileHeight, config.height) - 1
+    val right              = scala.math.min(originX + config.tileWidth, config.width) - 1
+    val bottom             = scala.math.min(originY + config.tileHeight, config.height) - 1
     if (mayTouch(pass, n, originX, right, originY, bottom)) {
       setup.edges(originX, right, originY, bottom)
       val spans =
@@ -48,8 +60,18 @@ final case class Rasterizer(config: RasterConfig) {
             def plane(p: Int) =
               cut(p, setup.initial(p)) + (x - first.first) * cut(p, setup.gradientX(p)) + (span.y - first.y) * cut(p, setup.gradientY(p))
             sink.fragment(
-              n, state, x - originX, span.y - originY, wrap(plane(PlaneS)), wrap(plane(PlaneT)), plane(PlaneQ), plane(PlaneZ),
-              plane(PlaneR).toShort.toInt, plane(PlaneG).toShort.toInt, plane(PlaneB).toShort.toInt, plane(PlaneA).toShort.toInt
+              n,
+              state,
+              x - originX,
+              span.y - originY,
+              wrap(plane(PlaneS)),
+              wrap(plane(PlaneT)),
+              plane(PlaneQ),
+              plane(PlaneZ),
+              plane(PlaneR).toShort.toInt,
+              plane(PlaneG).toShort.toInt,
+              plane(PlaneB).toShort.toInt,
+              plane(PlaneA).toShort.toInt
             )
           }
         }

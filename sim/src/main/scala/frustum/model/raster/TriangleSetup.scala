@@ -10,7 +10,7 @@ import frustum.spec.SetupWords._
   */
 final class TriangleSetup(planes: Seq[Int] = SetupWords.AllPlanes) {
   private val program = SetupProgram(planes)
-  private val word = new Array[Int](Shared + SharedWords)
+  private val word    = new Array[Int](Shared + SharedWords)
   SetupWords.constants.foreach { case (at, value) => word(at) = value }
 
   private var accumulator = 0L
@@ -20,8 +20,10 @@ final class TriangleSetup(planes: Seq[Int] = SetupWords.AllPlanes) {
   /** Per plane: change from pixel to pixel, and from row to row. */
   val gradientX = new Array[Int](Planes)
   val gradientY = new Array[Int](Planes)
+
   /** Per plane: value at the pixel given to [[rebase]]. */
   val initial = new Array[Int](Planes)
+
   /** Edge functions at the corners given to [[edges]]: where each walk starts, and from 4 on where they are largest. */
   val edge = new Array[Int](7)
 
@@ -101,9 +103,9 @@ final class TriangleSetup(planes: Seq[Int] = SetupWords.AllPlanes) {
   }
 
   private def run(section: Seq[SetupInstruction]): Unit = section.foreach { i =>
-    val b = word(i.b)
+    val b     = word(i.b)
     val falls = (b < 0) != i.subtract
-    val a =
+    val a     =
       if (i.a == Left && falls != i.far) word(Right)
       else if (i.a == Top && i.far && !falls) word(Bottom)
       else word(i.a)

@@ -33,8 +33,8 @@ final class Mesa(program: Path) {
       }
     }
     def flag(b: Boolean) = if (b) 1 else 0
-    val size  = s"${config.width} ${config.height} ${flag(textured)} ${flag(depth)} ${pass.triangles.length}"
-    val bytes = run((size +: lines).mkString("\n"))
+    val size             = s"${config.width} ${config.height} ${flag(textured)} ${flag(depth)} ${pass.triangles.length}"
+    val bytes            = run((size +: lines).mkString("\n"))
     Array.tabulate(config.width * config.height) { i =>
       val at = 4 * ((config.height - 1 - i / config.width) * config.width + i % config.width)
       (0 until 3).foldLeft(0)((c, k) => c << 8 | bytes(at + k) & 255)

@@ -54,9 +54,9 @@ class ReferenceRasterTest extends AnyFunSuite {
   }
 
   test("replace and modulate, with and without alpha in the texture") {
-    val memory4444 = Array.fill(32768)(0x84c9)
-    val rgba       = RenderState(Some(TextureRef(0, 3, 3, TexelFormat.Rgba4444)), combine = Combine.Replace)
-    val corner     = Attributes(0.5, 0.5, 0, 51, 102, 255, 128)
+    val memory4444                           = Array.fill(32768)(0x84c9)
+    val rgba                                 = RenderState(Some(TextureRef(0, 3, 3, TexelFormat.Rgba4444)), combine = Combine.Replace)
+    val corner                               = Attributes(0.5, 0.5, 0, 51, 102, 255, 128)
     def color(s: RenderState, m: Array[Int]) = Shading.color(s, m, corner, Some((4, 4)))
     assert(color(rgba, memory4444) == Rgba(8 * 17, 4 * 17, 12 * 17, 9 * 17))
     val expected = Rgba(8 * 17.0 * 51 / 255, 4 * 17.0 * 102 / 255, 12 * 17, 9 * 17.0 * 128 / 255)
