@@ -1,7 +1,7 @@
 package frustum.command
 
 import frustum.blackbox.Tech
-import frustum.boards.flow.{Ice40Flow, Ice40Tools, MissingTool}
+import frustum.boards.flow.{Ice40Flow, Ice40Tools, MissingTool, Nextpnr}
 import frustum.boards.icebreaker.IcebreakerTops
 import frustum.engine.{EngineOptions, Engines}
 import frustum.host.DrawOptions
@@ -117,7 +117,7 @@ object FitCommand extends CommandLine {
       val work                                 = Files.createDirectories(folder.resolve("build"))
       def place(what: String, c: RasterConfig) = {
         say(s"placing the $what")
-        flow.run(IcebreakerTops.rasterOf(s"fit-$what", c), Seq(1), work, say)
+        flow.run(IcebreakerTops.rasterOf(s"fit-$what", c), Seq(1), work, say, Nextpnr.Heap)
       }
       val costs                               = new UnitCosts(say)
       def cost(what: String, c: RasterConfig) = {

@@ -9,7 +9,7 @@ import scopt.{OEffect, OParser}
 final case class TopArguments(
     top: String = "",
     seeds: Int = 1,
-    placer: String = Nextpnr.Placers.head,
+    placer: String = Nextpnr.Static,
     ecp5: Boolean = false,
     help: Boolean = false
 ) {
@@ -43,7 +43,7 @@ object TopArguments {
             if (Nextpnr.Placers.contains(p)) success
             else failure(s"argument --placer: '$p' is none of ${Nextpnr.Placers.mkString(", ")}")
           )
-          .text(s"nextpnr's (default ${Nextpnr.Placers.head})"),
+          .text(s"nextpnr's (default ${Nextpnr.Static})"),
         opt[Unit]("ecp5").action((_, a) => a.copy(ecp5 = true))
           .text("the same design on Lattice's LFE5U-85F, for its figures alone: TOP-ecp5.json, no file for a board")
       )

@@ -30,8 +30,8 @@ object UnitCost {
   val names: Seq[String] = Seq("luts", "flipFlops", "multipliers", "blockRams", "clockMHz")
 }
 
-/** Synthesis, place and route of units alone, kept in `.cache/chart` by a digest of their Verilog, of yosys'
-  * pass and of the placer.
+/** Synthesis, place and route of units alone, kept in `.cache/chart` by a digest of their Verilog and of
+  * yosys' pass.
   *
   * @param say told before each run
   */
@@ -80,18 +80,9 @@ final class UnitCosts(say: String => Unit) {
     val code = tools.nextpnr.run(
       work,
       log,
-      Seq(
-        "--placer",
-        Nextpnr.Placers.head,
-        "--up5k",
-        "--package",
-        "sg48",
-        "--json",
-        "timed.netlist.json",
-        "--report",
-        "timed.report.json"
-      ) ++
-        Seq("--freq", "100", "--seed", s"$seed", "--timing-allow-fail", "--pcf-allow-unconstrained")
+      Seq("--placer", Nextpnr.Heap, "--up5k", "--package", "sg48", "--json", "timed.netlist.json") ++
+        Seq("--report", "timed.report.json", "--freq", "100", "--seed", s"$seed") ++
+        Seq("--timing-allow-fail", "--pcf-allow-unconstrained")
     )
     if (code == 0)
       Nextpnr.clockFigures(
@@ -113,7 +104,7 @@ final class UnitCosts(say: String => Unit) {
     val verilog = Files.readAllBytes(work.resolve(s"$top.v"))
     val digest  = MessageDigest.getInstance(
       "SHA-256"
-    ).digest(verilog ++ s"${Ice40Flow.Synthesis} ${Nextpnr.Placers.head}".getBytes).take(12).map("%02x".format(_)).mkString
+    ).digest(verilog ++ Ice40Flow.Synthesis.getBytes).take(12).map("%02x".format(_)).mkString
     val file = cache.resolve(s"$digest.json")
     if (!Files.exists(file)) OutputFile.writeText(file, ujson.write(measure))
     ujson.read(Files.readString(file))

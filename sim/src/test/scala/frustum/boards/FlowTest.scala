@@ -28,7 +28,7 @@ class FlowTest extends AnyFunSuite {
     val tools     = native
     val directory = scratch()
     val top       = BlinkTop.table(36, pins(directory))
-    val report    = new Ice40Flow(tools).run(top, 1 to 2, directory, println(_))
+    val report    = new Ice40Flow(tools).run(top, 1 to 2, directory, println(_), Nextpnr.Static)
     assert(report.fits && report.meetsTarget, report.shortfalls)
     assert(Files.size(directory.resolve("blink.bin")) > 100000)
     val json = report.json("1")
@@ -41,7 +41,7 @@ class FlowTest extends AnyFunSuite {
     val tools     = native
     val directory = scratch()
     val top       = BlinkTop.table(180, pins(directory))
-    val report    = new Ice40Flow(tools).run(top, 1 to 1, directory, _ => ())
+    val report    = new Ice40Flow(tools).run(top, 1 to 1, directory, _ => (), Nextpnr.Heap)
     assert(report.fits && !report.meetsTarget)
     assert(report.json("1")("meetsTarget") == ujson.False)
   }

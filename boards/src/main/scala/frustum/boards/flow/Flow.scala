@@ -30,14 +30,14 @@ abstract class Flow {
     * fits.
     *
     * @param say    told of each step as it ends
-    * @param placer one of [[Nextpnr.Placers]]
+    * @param placer of nextpnr
     */
   final def run(
       top: BoardTop,
       seeds: Seq[Int],
       directory: Path,
       say: String => Unit,
-      placer: String = Nextpnr.Placers.head
+      placer: String
   ): BitstreamReport = {
     val work = directory.resolve(s"${top.name}.build")
     Files.createDirectories(work)

@@ -2,6 +2,7 @@ package frustum.boards.flow
 
 import frustum.boards.BoardTop
 import java.nio.file.{Files, Path}
+import scala.concurrent.duration._
 
 /** One placement.
   *
@@ -28,8 +29,15 @@ object Nextpnr {
   /** Below this the placer that the flow uses is not made for the iCE40; Debian 12 has 0.4, Debian 13 has 0.7. */
   val Oldest = (0, 11)
 
-  /** Placers of nextpnr; the first is the flow's, the second nextpnr's own choice. docs/flashing.md compares them. */
-  val Placers = Seq("static", "heap")
+  /** Its placers. `Static` packs designs with much block RAM far better, see docs/flashing.md, but there are designs, small ones among them, with
+    * which it finds no end. `Heap` is nextpnr's own choice.
+    */
+  val Static  = "static"
+  val Heap    = "heap"
+  val Placers = Seq(Static, Heap)
+
+  /** After which a placement is given up. */
+  private val Patience = 30.minutes
 
   /** @param placer one of [[Placers]]
     * @param part   arguments that tell the device, its constraints and what to write */
@@ -37,12 +45,14 @@ object Nextpnr {
     val run    = s"${top.name}.$seed"
     val report = directory.resolve(s"$run.report.json")
     Files.deleteIfExists(report)
-    val code = tool.run(
+    val code = tool.runWithin(Patience)(
       directory,
       s"$run.nextpnr.log",
       part ++ Seq("--placer", placer, "--json", s"${top.name}.netlist.json", "--report", s"$run.report.json") ++
         Seq("--freq", s"${top.targetMHz}", "--seed", s"$seed", "--timing-allow-fail")
-    )
+    ).getOrElse(throw FlowFault(
+      s"nextpnr with --placer $placer has not placed ${top.name} within $Patience; give the other one of ${Placers.mkString(", ")}"
+    ))
     val log               = directory.resolve(s"$run.nextpnr.log")
     val said              = Files.readString(log)
     val (used, available) = utilisation(said)

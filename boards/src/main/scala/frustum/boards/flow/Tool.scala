@@ -3,6 +3,8 @@ package frustum.boards.flow
 import java.io.File
 import java.lang.ProcessBuilder.Redirect
 import java.nio.file.{Files, Path}
+import java.util.concurrent.TimeUnit
+import scala.concurrent.duration.Duration
 import scala.jdk.CollectionConverters._
 import scala.math.Ordering.Implicits._
 
@@ -10,16 +12,26 @@ import scala.math.Ordering.Implicits._
 final case class Tool(name: String, version: String, command: Seq[String], environment: Map[String, String]) {
 
   /** Runs in `directory`, everything it prints going to `log` there; gives its exit code. */
-  def run(directory: Path, log: String, arguments: Seq[String]): Int = {
+  def run(directory: Path, log: String, arguments: Seq[String]): Int = runWithin(Duration.Inf)(directory, log, arguments).get
+
+  /** The same; None, and the program is stopped, when it has not ended within a limit. */
+  def runWithin(limit: Duration)(directory: Path, log: String, arguments: Seq[String]): Option[Int] = {
     val builder = new ProcessBuilder((command ++ arguments).asJava)
       .directory(directory.toFile)
       .redirectErrorStream(true)
       .redirectInput(Redirect.from(new File("/dev/null")))
       .redirectOutput(directory.resolve(log).toFile)
     environment.foreach { case (key, value) => builder.environment.put(key, value) }
-    val process = builder.start()
-    try process.waitFor()
-    catch { case stop: InterruptedException => process.destroy(); throw stop }
+    val process      = builder.start()
+    def stop(): Unit = {
+      process.descendants.forEach(child => child.destroy())
+      process.destroy()
+    }
+    try
+      if (!limit.isFinite) Some(process.waitFor())
+      else if (process.waitFor(limit.toMillis, TimeUnit.MILLISECONDS)) Some(process.exitValue)
+      else { stop(); None }
+    catch { case interrupted: InterruptedException => stop(); throw interrupted }
   }
 }
 
