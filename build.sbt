@@ -64,8 +64,7 @@ writeClasspath := {
 }
 
 /** Every command of the workbench by its name in sbt's own shell; alone on the command line ./sbt takes them itself. */
-val commandNames =
-  Seq("demo", "render", "verilog", "bitstream", "bench", "pong", "voxel", "play", "budgets", "chart", "stability", "fit", "mutate")
+val commandNames = "demo render verilog bitstream bench pong voxel play budgets chart stability fit mutate".split(' ').toSeq
 Global / commands ++= commandNames.map { name =>
   Command.args(name, "<args>") { (state, args) =>
     val quoted = args.map(a => if (a.exists(_.isWhitespace)) "\"" + a + "\"" else a)

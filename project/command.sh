@@ -4,7 +4,7 @@
 # is_command WORDS...: one command line, or a command's name followed by its options as words of their own.
 is_command() {
   local names
-  names=" $(sed -n 's/^val commandNames = Seq(\(.*\))$/\1/p' build.sbt | tr -d '",') "
+  names=" $(sed -n 's/^val commandNames = "\(.*\)".*/\1/p' build.sbt) "
   local line=${1-}
   local name=${line%%[[:space:]]*}
   [ -n "$name" ] && [[ $names == *" $name "* ]] || return 1
