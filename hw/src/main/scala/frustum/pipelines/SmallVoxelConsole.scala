@@ -47,11 +47,19 @@ case class SmallVoxelConsole(
   uart.io.read >> host.io.bytes
   host.io.edit >> pipeline.io.edit
   host.io.camera >> pipeline.io.camera
-  pipeline.io.commit    := host.io.commit
-  pipeline.io.highlight := True
-  pipeline.io.start     := !pipeline.io.edit.valid && !pipeline.io.pending
-  io.refused            := host.io.refused
-  io.display            := display.io.pins
+  pipeline.io.commit := host.io.commit
+  pipeline.io.start  := !pipeline.io.edit.valid && !pipeline.io.pending
+
+  /** Whether the face in the middle is highlighted: with the newest camera, and with the one that is drawn with. */
+  val highlight = new Area {
+    val newest, shown = RegInit(True)
+
+    when(host.io.commit)(newest                        := host.io.highlight)
+    when(pipeline.io.start && !pipeline.io.busy)(shown := newest)
+    pipeline.io.highlight := shown
+  }
+  io.refused := host.io.refused
+  io.display := display.io.pins
 
   /** Pixels on their way to the display: the first of each frame begins its window. */
   val scan = new Area {

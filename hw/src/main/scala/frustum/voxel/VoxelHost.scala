@@ -6,7 +6,7 @@ import spinal.core._
 import spinal.lib._
 
 /** Takes a host's commands, see [[frustum.spec.VoxelHostCommand]], and gives edits, cameras and places for the player. A command with a wrong
-  * checksum, an unknown opcode, one cut short, an edit outside the world, an id that is none and a place out of range change nothing and are
+  * checksum, an unknown opcode, one cut short, an edit outside the world, an id that is none, an eye or a place out of range change nothing and are
   * counted. Bytes wait while an edit does; cameras and places come a clock after their last byte.
   *
   * @param silence clocks after which the next byte begins a command
@@ -40,7 +40,8 @@ case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Co
   private val fields =
     camera.eye.toSeq ++ Seq(camera.look, camera.base, camera.right, camera.down).flatMap(_.axes)
   for ((field, n) <- fields.zipWithIndex) field := number(n, 15).resized
-  val cameraDone = False
+  val cameraAllowed = RegNext((0 to 2).map(n => VoxelHost.eyeFits(c, number(n, 15))).reduce(_ && _))
+  val cameraDone    = False
   io.camera.valid := RegNext(cameraDone) init False // the payload stays until the second byte that comes
   io.highlight    := opcode === Highlight
 
@@ -64,7 +65,8 @@ case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Co
       poseDone          := poseAllowed
       framing.io.refuse := !poseAllowed
     } elsewhen (opcode === Camera || opcode === Highlight) {
-      cameraDone := True
+      cameraDone        := cameraAllowed
+      framing.io.refuse := !cameraAllowed
     } otherwise {
       edit.address      := address.resized
       edit.content      := content.asBits.resized
@@ -73,4 +75,10 @@ case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Co
       framing.io.refuse := !editAllowed
     }
   }
+}
+
+object VoxelHost {
+
+  /** Whether a component of an eye, as a host sends it, is not cut by the width of an eye. */
+  def eyeFits(c: VoxelConfig, number: SInt): Bool = number === number.resize(c.blockBits + c.eyeBits).resize(number.getWidth)
 }

@@ -19,9 +19,9 @@ class SmallVoxelConsoleTest extends AnyFunSuite {
   private val world    = Hills(c.size, 1)
   private def compiled = EngineSim.compile("SmallVoxelPins")(SmallVoxelPins(c, focal))
 
-  private def shown(world: VoxelWorld, camera: VoxelCamera): Array[Int] = {
+  private def shown(world: VoxelWorld, camera: VoxelCamera, highlight: Boolean = true): Array[Int] = {
     val model  = new VoxelModel(c, Blocks.assets, world)
-    val chosen = model.pointedAt(camera, VoxelConfig.Reach)
+    val chosen = if (highlight) model.pointedAt(camera, VoxelConfig.Reach) else None
     (for (j <- 0 until c.height; i <- 0 until c.width)
       yield SmallVoxelSession.rgb565(model.pixel(camera, i, j, chosen).color)).toArray
   }
@@ -74,6 +74,13 @@ class SmallVoxelConsoleTest extends AnyFunSuite {
 
   private def camera(x: Double, yaw: Double) = VoxelView(new Vector3d(x, 7.3, 6.4), yaw, -20, focal).camera(c)
 
+  /** An eye whose component `axis` would come out elsewhere if its highest bits were cut. */
+  private def far(axis: Int) = {
+    val here = camera(3, 200)
+    val away = here.eye.axes.updated(axis, here.eye.axes(axis) + (1 << c.blockBits + c.eyeBits))
+    here.copy(eye = IntVector(away(0), away(1), away(2)))
+  }
+
   test("without a host: the world from its middle, after a reset in mid-frame again") {
     compiled.doSim("start", 1) { dut =>
       val session = new Session(dut)
@@ -93,11 +100,15 @@ class SmallVoxelConsoleTest extends AnyFunSuite {
   test("a world and a camera from the host, none of the world's words lost while pictures are drawn") {
     compiled.doSim("load", 2) { dut =>
       val session = new Session(dut)
-      val view    = camera(8, 30)
+      val view    = VoxelView(new Vector3d(8, 7.3, 6.4), 30, -60, focal).camera(c)
       for ((word, address) <- LeapWords(world, c.leaps).zipWithIndex)
         session.send(VoxelHostCommand.write(address, word))
+      session.send(VoxelHostCommand.highlight(view))
+      val marked = session.picture()
+      assert(marked.sameElements(shown(world, view)))
       session.send(VoxelHostCommand.camera(view))
-      assert(session.picture().sameElements(shown(world, view)))
+      val plain = session.picture()
+      assert(plain.sameElements(shown(world, view, highlight = false)) && !plain.sameElements(marked))
       assert(!dut.io.refused.toBoolean)
     }
   }
@@ -108,7 +119,7 @@ class SmallVoxelConsoleTest extends AnyFunSuite {
       session.load(world)
       for (whole <- 1 to 3) {
         for (view <- Seq(30, 60, 90).take(whole).map(camera(8, _))) {
-          session.send(VoxelHostCommand.camera(view))
+          session.send(VoxelHostCommand.highlight(view))
           assert(session.picture().sameElements(shown(world, view)))
         }
         session.send(VoxelHostCommand.camera(camera(3, 200)).dropRight(9))
@@ -129,12 +140,16 @@ class SmallVoxelConsoleTest extends AnyFunSuite {
         VoxelHostCommand.camera(camera(3, 200)).updated(20, 1),        // wrong checksum
         VoxelHostCommand.write(c.size.blocks, c.leaps.wordOfBlock(1)), // outside of the world
         VoxelHostCommand.write(5, 1 << c.leaps.wordBits),              // no word
-        VoxelHostCommand.camera(camera(3, 200)).take(17)               // cut short
+        VoxelHostCommand.block(0, 1),                                  // nothing here works out distances
+        VoxelHostCommand.player(IntVector(0, 0, 0), 0, 0),             // no player here
+        VoxelHostCommand.camera(far(1)),
+        VoxelHostCommand.camera(far(2)),
+        VoxelHostCommand.camera(camera(3, 200)).take(17) // cut short
       )
       assert(!dut.io.refused.toBoolean)
       wrong.foreach(session.send)
       sleep(EngineSim.Period * 2 * 29 * VoxelHostCommand.SilenceMicros)
-      session.send(VoxelHostCommand.camera(good))
+      session.send(VoxelHostCommand.highlight(good))
       assert(session.picture().sameElements(shown(world, good)))
       assert(dut.io.refused.toBoolean && refused.toInt == wrong.length)
     }

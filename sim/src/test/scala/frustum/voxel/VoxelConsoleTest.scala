@@ -61,6 +61,13 @@ class VoxelConsoleTest extends AnyFunSuite {
     }
   }
 
+  /** An eye whose component `axis` would come out elsewhere if its highest bits were cut. */
+  private def far(axis: Int) = {
+    val here = camera(3, 200)
+    val away = here.eye.axes.updated(axis, here.eye.axes(axis) + (1 << c.blockBits + c.eyeBits))
+    here.copy(eye = IntVector(away(0), away(1), away(2)))
+  }
+
   test("commands that are wrong change nothing and are counted; the next one is taken") {
     run(config, 2) { (dut, session) =>
       val good = camera(8, 30)
@@ -74,6 +81,8 @@ class VoxelConsoleTest extends AnyFunSuite {
         VoxelHostCommand.block(c.size.blocks + 5, 1),                  // would alias onto block 5
         VoxelHostCommand.block(5, 25),                                 // no such block
         VoxelHostCommand.block(5, 32 + 1),
+        VoxelHostCommand.highlight(far(0)),
+        VoxelHostCommand.camera(far(2)),
         VoxelHostCommand.player(IntVector(0, 0, -1), 0, 0), // below the floor
         VoxelHostCommand.player(IntVector(0, 40 * 256 + 12 * 256, 0), 0, 0),
         VoxelHostCommand.player(IntVector(0, 0, 0), 1024, 0),
