@@ -4,7 +4,7 @@ import frustum.spec.ColorFormat
 import spinal.core._
 import spinal.lib._
 
-/** Pixels for a monitor, one a clock: colour (0 outside of `active`), sync pulses of the mode's polarity, and which
+/** Pixels for a monitor, one a clock of the pixel's rate (the core's, or, behind a source that divides it, every few of those): colour (0 outside of `active`), sync pulses of the mode's polarity, and which
   * clocks are visible.
   */
 case class VideoBus(format: ColorFormat) extends Bundle with IMasterSlave {

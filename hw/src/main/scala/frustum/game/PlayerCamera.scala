@@ -20,7 +20,7 @@ case class PlayerCamera(c: VoxelConfig, program: CameraProgram) extends Componen
   val io = new Bundle {
     val start  = in Bool ()
     val sines  = in(PlayerSines())
-    val eye    = in Vec (SInt(c.blockBits + c.eyeBits bits), 3)
+    val eye    = in Vec (SInt(c.blockBits + c.eyeBits bits), 3) // in blocks, eyeBits fraction bits
     val load   = slave(Flow(CameraPort(c)))
     val camera = out(CameraPort(c))
     val done   = out Bool ()

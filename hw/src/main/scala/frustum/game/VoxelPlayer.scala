@@ -31,7 +31,7 @@ case class VoxelPlayer(
     val read      = master(WorldReadBus(c))
     val edit      = master(Stream(BlockEdit(c)))
     val pose      = out(VoxelPose(c))
-    val rise      = out SInt (10 bits)
+    val rise      = out SInt (10 bits) // 1/256 block a picture, up is positive
     val item      = out UInt (BlockTable.IdBits bits)
     val refused   = out UInt (RefuseBits bits)
     val camera    = out(CameraPort(c))

@@ -17,7 +17,8 @@ case class ConsolePadPins() extends Bundle with IMasterSlave {
   * 01 42 00 ..., of which the pad answers the second with its id, the third with 5A, then two of buttons and, with sticks, four of those.
   *
   * An answer counts when it is whole: without a pad, with another id or when the pad goes away meanwhile, the state is at rest. A pad
-  * that goes away leaves ones; four sticks at 255 at once are taken for that.
+  * that goes away leaves ones; four sticks at 255 at once are taken for that. A question takes some 1.1 ms with sticks at 83 kHz: nine bytes, and
+  * [[ConsolePad.PauseMicros]] before each.
   *
   * @param clockHz core clock
   * @param sckHz   at most; pads take some 250 kHz

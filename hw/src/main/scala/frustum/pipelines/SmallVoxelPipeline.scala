@@ -7,7 +7,7 @@ import spinal.core._
 import spinal.lib._
 
 /** [[VoxelPipeline]] for a small FPGA: the same pictures, pixels in order, RGB565, a frame buffer needless. Rays march four at a time, a
-  * step a clock; whatever happens once a ray takes 14 to 17 clocks on one multiplier a unit.
+  * step a clock; what happens once a ray, a face or a layer takes 9 to 17 clocks on one or two multipliers a unit.
   * {{{
   * SerialRays -> Marcher <-> SharedWorldMemory
   *                  Marcher -> SerialTexel -> SerialComposite -> PixelOrder -> pixels

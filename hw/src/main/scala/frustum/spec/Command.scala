@@ -24,11 +24,11 @@ object Command {
     0x01,
     "begin",
     Seq(
-      Field("frame", 1, "frame number; vertices of another frame are not drawn"),
+      Field("frame", 1, "frame number modulo 128, another for each frame: vertices sent under another number are not drawn"),
       Field("clearColor", 1, "RGB565"),
-      Field("region", 2, "tiles to draw: x0 << 8 | x1, y0 << 8 | y1, inclusive")
+      Field("region", 2, "tiles to draw, from the top left: x0 << 8 | x1, y0 << 8 | y1, inclusive; 16 x 16 pixels each in the tops")
     ),
-    "Starts a frame, or one pass of it, in a free bank of the store; waits until there is one."
+    "Starts a frame, or one pass of it, in a free bank of the store; waits until there is one. One that is refused ends the frame before it all the same."
   )
 
   val State = Command(
@@ -68,7 +68,7 @@ object Command {
       Field("address", 1, "first texel / 16"),
       Field("texel", 1, "RGB565 or RGBA4444", repeated = true)
     ),
-    "Writes texel memory. Waits until no frame is being drawn."
+    "Writes texel memory. Waits until no frame is being drawn. Of one that runs beyond the memory, what lies within is written, and it counts as refused."
   )
 
   val Draw = Command(

@@ -6,7 +6,7 @@ import frustum.spec.{BlockTable, VoxelConfig, VoxelTextures}
 import spinal.core._
 import spinal.lib._
 
-/** What [[LayerComposite]] does, a layer at a time, with one multiplier and the rays' layers in block RAM: 14 clocks a layer, 11 for one of sky. Colours
+/** What [[LayerComposite]] does, a layer at a time, with one multiplier and the rays' layers in block RAM: 14 clocks a layer, fewer for one of sky. Colours
   * come as RGB565, the upper bits of each channel. The model is the same.
   *
   * @param slots rays at one time, each with its own layers

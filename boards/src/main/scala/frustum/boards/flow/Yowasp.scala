@@ -45,7 +45,7 @@ object Yowasp {
       step(
         "pip.log",
         packages,
-        "check the network, or put yosys >= 0.40, icepack and nextpnr >= 0.7 for the part on PATH",
+        "check the network, or put yosys >= 0.40, icepack and nextpnr >= 0.11 for the part on PATH",
         Seq(s"$home/bin/python", "-m", "pip", "install", "--quiet", "-r", requirements.toAbsolutePath.toString)
       )
       Files.writeString(stamp, wanted)
