@@ -1,6 +1,7 @@
 package frustum.command
 
 import frustum.InputError
+import frustum.boards.flow.FlowFault
 import scala.util.control.NonFatal
 
 /** Entry of the workbench: the command's name, then its arguments; or `--line` and all of it as one line,
@@ -36,6 +37,9 @@ object Main {
       case InputError(message) =>
         Console.err.println(s"error: ${message.linesIterator.map(_.trim).mkString(" ")}")
         2
+      case FlowFault(message) =>
+        Console.err.println(s"error: ${message.linesIterator.map(_.trim).mkString(" ")}")
+        1
       case NonFatal(fault) =>
         Console.err.println(s"error: internal fault, please report it: $fault")
         fault.printStackTrace(Console.err)

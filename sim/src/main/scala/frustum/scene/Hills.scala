@@ -26,7 +26,9 @@ object Hills {
         else Blocks.id(if (top >= snowLine) "snow" else "grass")
     }
     val random = new Random(seed)
-    for (_ <- 0 until size.x * size.y / 100) {
+    // A tree has its crown within the world: two blocks on either side.
+    val room = size.x > 4 && size.y > 4
+    if (room) for (_ <- 0 until size.x * size.y / 100) {
       val (x, y) = (2 + random.nextInt(size.x - 4), 2 + random.nextInt(size.y - 4))
       val z      = surface(x)(y)
       if (z > sea + 1 && z < size.z - 8 && ids(x)(y)(z) == Blocks.id("grass"))

@@ -62,4 +62,9 @@ class VoxelFaultsTest extends AnyFunSuite {
       }
     }
   }
+
+  test("hills as narrow as a world may be") {
+    for (size <- Seq(WorldSize(4, 64, 32), WorldSize(64, 4, 32), WorldSize(4, 4, 4)))
+      assert(frustum.scene.Hills(size, 1).size == size)
+  }
 }
