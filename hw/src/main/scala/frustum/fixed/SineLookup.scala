@@ -1,6 +1,6 @@
 package frustum.fixed
 
-import frustum.spec.{SineTable, VoxelRules}
+import frustum.spec.SineTable
 import spinal.core._
 import spinal.lib._
 
@@ -8,7 +8,7 @@ import spinal.lib._
 case class SineLookup() extends Component {
   import SineTable._
   val io = new Bundle {
-    val angle = in UInt (VoxelRules.AngleBits bits)
+    val angle = in UInt (AngleBits bits)
     val sine  = out SInt (Width bits)
   }
   val within  = io.angle(IndexBits - 1 downto 0)

@@ -24,8 +24,8 @@ final case class VoxelRules(
 }
 
 object VoxelRules {
-  val AngleBits  = 10
-  val Turn: Int  = 1 << AngleBits
+  val AngleBits  = SineTable.AngleBits
+  val Turn: Int  = SineTable.Turn
   val MostPitch  = 248 // 87 degrees
   val TurnStep   = 10
   val LookStep   = 8

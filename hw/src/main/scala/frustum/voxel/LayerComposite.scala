@@ -6,19 +6,6 @@ import spinal.core._
 import spinal.lib._
 import spinal.lib.misc.pipeline._
 
-/** A pixel's colour, eight bits a channel. */
-case class VoxelColor(c: VoxelConfig) extends Bundle {
-  val pixel = UInt(c.pixelBits bits)
-  val rgb   = Vec(UInt(8 bits), 3)
-}
-
-/** The face that is pointed at. */
-case class PointedAt(c: VoxelConfig) extends Bundle {
-  val valid = Bool()
-  val block = Vec(UInt(c.size.logs.max bits), 3)
-  val face  = UInt(3 bits)
-}
-
 /** Colours of faces, gathered front to back for each ray until nothing behind shows: a layer a clock, latency 11 clocks.
   * What a ray does not hide is sky. The model is `frustum.model.voxel.LayerComposite`.
   *

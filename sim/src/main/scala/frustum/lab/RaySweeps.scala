@@ -25,13 +25,13 @@ object RaySweeps {
   private val middle = IntVector(0, 0, 320)
 
   val all: Seq[Sweep] = Seq(
-    Sweep(ValidFor.SphereDistance, 1, 1024, 16, whole = true)(d =>
+    Sweep(RayDomains.SphereDistance, 1, 1024, 16, whole = true)(d =>
       error(80, IntVector(0, 0, PongScene.Eye.z + d.toInt), 20, PongScene.Light)
     ),
-    Sweep(ValidFor.SphereRadius, 1, 400, 16, whole = true)(r =>
+    Sweep(RayDomains.SphereRadius, 1, 400, 16, whole = true)(r =>
       error(80, middle, r.toInt, IntVector(-300, 230, 20))
     ),
-    Sweep(ValidFor.LightDistance, 0, 300, 16, whole = true)(d =>
+    Sweep(RayDomains.LightDistance, 0, 300, 16, whole = true)(d =>
       error(
         640,
         IntVector(PongScene.Light.x, PongScene.Light.y, PongScene.Light.z + 20 + d.toInt),

@@ -5,7 +5,7 @@ import frustum.host.{DrawOptions, Driver, PreparedFrame}
 import frustum.judge.{FrameJudge, FrameVerdict}
 import frustum.picture.Picture
 import frustum.scene.{Camera, Grid, Material, MeshVertex, Pictures, Scene, TextureImage, Triangle}
-import frustum.spec.{Combine, FixedState, RasterConfig, ValidFor, VertexRanges, Wrap}
+import frustum.spec.{Combine, FixedState, RasterConfig, RasterDomains, VertexRanges, Wrap}
 import frustum.texture.LateDivide
 import org.joml.Vector3d
 
@@ -153,24 +153,24 @@ object SceneSweeps {
   }
 
   val all: Seq[Sweep] = Seq(
-    Sweep(ValidFor.SceneScale, 1e-9, 1e9, 5, Some(PeerDomain(0.5, 1.28, "w above 0.5 and below 128")))(k =>
+    Sweep(RasterDomains.SceneScale, 1e-9, 1e9, 5, Some(PeerDomain(0.5, 1.28, "w above 0.5 and below 128")))(k =>
       texelsWrong(floor(k, 100 * k, k, k / 2))
     ),
-    Sweep(ValidFor.FarOverNear, 1.01, 1 << 22, 100)(ratio => texelsWrong(floor(1, ratio, 1, 0.5))),
-    Sweep(ValidFor.LateRatio, 1.01, 1 << 10, 100)(ratio => texelsWrong(fittedFloor(ratio))),
-    Sweep(ValidFor.NearPlane, 1e-7, 0.5, 100)(near => texelsWrong(floor(-10, 100, 100 * near, 100 * near))),
-    Sweep(ValidFor.EyeHeight, 1e-4, 64, 100)(height => texelsWrong(floor(1, 100, height, 0.5))),
-    Sweep(ValidFor.Overhang, 1, 1e9, 5)(overhang),
-    Sweep(ValidFor.Clamped, 1, 1024, 5, Some(PeerDomain(1, 2, "clamped within +-2")))(reach =>
+    Sweep(RasterDomains.FarOverNear, 1.01, 1 << 22, 100)(ratio => texelsWrong(floor(1, ratio, 1, 0.5))),
+    Sweep(RasterDomains.LateRatio, 1.01, 1 << 10, 100)(ratio => texelsWrong(fittedFloor(ratio))),
+    Sweep(RasterDomains.NearPlane, 1e-7, 0.5, 100)(near => texelsWrong(floor(-10, 100, 100 * near, 100 * near))),
+    Sweep(RasterDomains.EyeHeight, 1e-4, 64, 100)(height => texelsWrong(floor(1, 100, height, 0.5))),
+    Sweep(RasterDomains.Overhang, 1, 1e9, 5)(overhang),
+    Sweep(RasterDomains.Clamped, 1, 1024, 5, Some(PeerDomain(1, 2, "clamped within +-2")))(reach =>
       texelsWrong(wall(1, reach, checks, Wrap.Clamp))
     ),
-    Sweep(ValidFor.TextureSide, 1, 10, 5, Some(PeerDomain(5, 7, "32, 64 or 128 square")), whole = true)(log2 =>
+    Sweep(RasterDomains.TextureSide, 1, 10, 5, Some(PeerDomain(5, 7, "32, 64 or 128 square")), whole = true)(log2 =>
       texelsWrong(wall(1.3, 1, stripes(log2.toInt), Wrap.Repeat))
     ),
-    Sweep(ValidFor.DepthGap, 1e-5, 1, 100)(gap =>
+    Sweep(RasterDomains.DepthGap, 1e-5, 1, 100)(gap =>
       orderWrong(99 / (1 + gap), 99, Camera(origin, ahead, up, 60, 1, 100))
     ),
-    Sweep(ValidFor.OrthoDepth, 1e-9, 1e9, 0, Some(PeerDomain(None, "orthographic depth breaks it")))(range =>
+    Sweep(RasterDomains.OrthoDepth, 1e-9, 1e9, 0, Some(PeerDomain(None, "orthographic depth breaks it")))(range =>
       orderWrong(
         0.5 * range,
         0.501 * range,

@@ -109,24 +109,24 @@ object TriangleSweeps {
   }
 
   val all: Seq[Sweep] = Seq(
-    Sweep(ValidFor.WRatio, 1, 1 << 20, 1e9)(ratio => greatest(small, slanted(ratio, 4))(texelError)),
+    Sweep(RasterDomains.WRatio, 1, 1 << 20, 1e9)(ratio => greatest(small, slanted(ratio, 4))(texelError)),
     Sweep(
-      ValidFor.Repeats,
+      RasterDomains.Repeats,
       1.0 / 16,
       4096,
       16,
       Some(PeerDomain(1.0 / 16, 2, "16 where the start is whole, 2 elsewhere"))
     )(repeats => greatest(small, slanted(4, repeats))(texelError)),
-    Sweep(ValidFor.Area, 1, 1 << 20, 65536)(area => greatest(medium, ofArea(floor(area).toInt))(depthError)),
-    Sweep(ValidFor.TriangleSize, 1, 4096, 64)(size => greatest(large, ofSize(size))(depthError)),
+    Sweep(RasterDomains.Area, 1, 1 << 20, 65536)(area => greatest(medium, ofArea(floor(area).toInt))(depthError)),
+    Sweep(RasterDomains.TriangleSize, 1, 4096, 64)(size => greatest(large, ofSize(size))(depthError)),
     Sweep(
-      ValidFor.SliverWidth,
+      RasterDomains.SliverWidth,
       1,
       1024,
       0,
       Some(PeerDomain(None, "54 pixels too many beside 26 right ones, slivers of a pixel"))
     )(width => coverageWrong(medium, slivers(width.toInt))),
-    Sweep(ValidFor.TJunction, 0, 32, Double.PositiveInfinity, whole = true)(off => junction(off.toInt)),
-    Sweep(ValidFor.ScreenSide, 4, 1024, 0, whole = true)(side => screen(side.toInt))
+    Sweep(RasterDomains.TJunction, 0, 32, Double.PositiveInfinity, whole = true)(off => junction(off.toInt)),
+    Sweep(RasterDomains.ScreenSide, 4, 1024, 0, whole = true)(side => screen(side.toInt))
   )
 }

@@ -3,7 +3,7 @@ package frustum.lab
 import frustum.model.display.OrderedDither
 import frustum.model.fragment.{Blend, Combine}
 import frustum.model.voxel.LayerComposite
-import frustum.spec.{ColorFormat, FunctionTable, ValidFor}
+import frustum.spec.{ColorFormat, FunctionTable, RasterDomains, RayDomains, VideoDomains, VoxelDomains}
 import scala.math.sqrt
 import scala.util.Random
 
@@ -52,11 +52,11 @@ object UnitSweeps {
   }
 
   val all: Seq[Sweep] = Seq(
-    Sweep(ValidFor.VertexColor, 0, 255, 8, whole = true)(c => combine(c.toInt)),
-    Sweep(ValidFor.SourceAlpha, 0, 31, 8, whole = true)(a => blend(a.toInt)),
-    Sweep(ValidFor.DitherBits, 0, 12, 64, whole = true)(n => dither(n.toInt)),
-    Sweep(ValidFor.Root, 1.0 / 16384, 1, 1)(relative(root, 65536, sqrt)),
-    Sweep(ValidFor.InverseRoot, 1.0 / 16384, 1, 1e9)(relative(inverse, 16384, x => 1 / sqrt(x))),
-    Sweep(ValidFor.Layers, 1, 64, 64, whole = true)(n => layers(n.toInt))
+    Sweep(RasterDomains.VertexColor, 0, 255, 8, whole = true)(c => combine(c.toInt)),
+    Sweep(RasterDomains.SourceAlpha, 0, 31, 8, whole = true)(a => blend(a.toInt)),
+    Sweep(VideoDomains.DitherBits, 0, 12, 64, whole = true)(n => dither(n.toInt)),
+    Sweep(RayDomains.Root, 1.0 / 16384, 1, 1)(relative(root, 65536, sqrt)),
+    Sweep(RayDomains.InverseRoot, 1.0 / 16384, 1, 1e9)(relative(inverse, 16384, x => 1 / sqrt(x))),
+    Sweep(VoxelDomains.Layers, 1, 64, 64, whole = true)(n => layers(n.toInt))
   )
 }

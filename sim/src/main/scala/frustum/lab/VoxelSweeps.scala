@@ -6,7 +6,7 @@ import frustum.model.pipelines.VoxelModel
 import frustum.model.voxel.RaySetup
 import frustum.reference.voxel.IdealVoxelPicture
 import frustum.scene.Hills
-import frustum.spec.{Blocks, ValidFor, VoxelConfig, WorldSize}
+import frustum.spec.{Blocks, VoxelConfig, VoxelDomains, WorldSize}
 import org.joml.Vector3d
 
 /** Views of a small world of hills, the model held against exact marching. */
@@ -28,7 +28,7 @@ object VoxelSweeps {
 
   val all: Seq[Sweep] = Seq(
     Sweep(
-      ValidFor.FocalLength,
+      VoxelDomains.FocalLength,
       20,
       20000,
       1,
@@ -39,8 +39,8 @@ object VoxelSweeps {
         yield VoxelView(new Vector3d(15.5, 15.5, 15.5), yaw, pitch, focal)
       directionError(wide, eyes)
     },
-    Sweep(ValidFor.EyeOutside, 0, 64, 0, whole = true)(d => raysWrong(base.copy(distance = 60), view(-d))),
-    Sweep(ValidFor.ViewDistance, 1, 128, 0, whole = true)(d =>
+    Sweep(VoxelDomains.EyeOutside, 0, 64, 0, whole = true)(d => raysWrong(base.copy(distance = 60), view(-d))),
+    Sweep(VoxelDomains.ViewDistance, 1, 128, 0, whole = true)(d =>
       raysWrong(base.copy(distance = d.toInt), view(2.6))
     )
   )
