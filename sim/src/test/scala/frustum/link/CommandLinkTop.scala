@@ -1,6 +1,8 @@
 package frustum.link
 
 import frustum.blackbox.Tech
+import frustum.model.link.Job
+import frustum.spec.TileRegion
 import frustum.spec.RasterConfig
 import frustum.spec.StoreLayout
 import frustum.texture.TexelWrite
@@ -40,8 +42,6 @@ final class LinkSink(
     rival: StoreBus,
     stall: Double
 ) {
-  import frustum.model.link.Job
-  import frustum.spec.TileRegion
   import scala.collection.mutable.ArrayBuffer
 
   val layout = StoreLayout(config)
