@@ -14,6 +14,7 @@ val spinalLib  = "com.github.spinalhdl" %% "spinalhdl-lib"  % spinalVersion
 val idslPlugin = compilerPlugin("com.github.spinalhdl" %% "spinalhdl-idsl-plugin" % spinalVersion)
 
 val ujson = "com.lihaoyi" %% "ujson" % "4.1.0"
+val joml  = "org.joml"      % "joml"  % "1.10.8"
 
 /** The idsl plugin names signals; without it the generated Verilog is unreadable, so its absence is an error. */
 val spinal = Seq(
@@ -21,24 +22,40 @@ val spinal = Seq(
   scalacOptions += "-Xplugin-require:idsl-plugin"
 )
 
-lazy val hw = (project in file("hw")).settings(spinal).settings(name := "frustum")
+/** What users of the library depend on is built for SpinalHDL's users of both Scala versions. */
+val published = Seq(crossScalaVersions := Seq("2.13.18", "2.12.21"))
+val internal  = Seq(publish / skip := true)
+
+/** Formats, bit layouts, command table, programs, declared domains, scene values: plain Scala, no SpinalHDL. */
+lazy val contract = (project in file("hw/contract")).settings(published).settings(name := "frustum-contract")
+
+lazy val hw = (project in file("hw")).dependsOn(contract).settings(spinal, published).settings(name := "frustum")
+
+/** The driver of a host: matrices, clipping, submission. */
+lazy val driver = (project in file("driver/scala"))
+  .dependsOn(contract)
+  .settings(published)
+  .settings(name := "frustum-driver", libraryDependencies += joml)
+
+/** Games, players, consoles and their art, which boards and workbench share. */
+lazy val demos = (project in file("boards/demos")).dependsOn(hw).settings(spinal, internal)
 
 lazy val boards = (project in file("boards"))
-  .dependsOn(hw)
-  .settings(spinal)
+  .dependsOn(demos)
+  .settings(spinal, internal)
   .settings(name := "frustum-boards", libraryDependencies += ujson)
 
 lazy val sim = (project in file("sim"))
   .enablePlugins(BuildInfoPlugin)
-  .dependsOn(boards)
-  .settings(spinal)
+  .dependsOn(boards, driver)
+  .settings(spinal, internal)
   .settings(
     name             := "frustum-sim",
     buildInfoKeys    := Seq[BuildInfoKey](version),
     buildInfoPackage := "frustum",
     libraryDependencies ++= Seq(
       "com.github.spinalhdl" %% "spinalhdl-sim" % spinalVersion,
-      "org.joml"              % "joml"          % "1.10.8",
+      joml,
       "com.github.scopt"     %% "scopt"         % "4.1.0",
       "me.tongfei"            % "progressbar"   % "0.10.1",
       "org.knowm.xchart"      % "xchart"        % "3.8.8",
@@ -51,7 +68,7 @@ lazy val sim = (project in file("sim"))
     Test / parallelExecution := false
   )
 
-lazy val frustum = (project in file(".")).aggregate(hw, boards, sim).settings(publish / skip := true)
+lazy val frustum = (project in file(".")).aggregate(contract, hw, driver, demos, boards, sim).settings(internal)
 
 /** The class path of the workbench, compiled, for the launcher, which runs commands without sbt around them: their exit
   * code and their stderr are then their own.

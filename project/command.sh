@@ -15,7 +15,7 @@ is_command() {
 # sources, which change when a file is removed.
 compiled() {
   [ -e .cache/classpath ] && [ -e "$(cut -d: -f1 .cache/classpath)/frustum/command/Main.class" ] || return 1
-  local sources=(build.sbt project/*.sbt project/build.properties {hw,boards,sim}/src/main)
+  local sources=(build.sbt project/*.sbt project/build.properties {hw,hw/contract,driver/scala,boards,boards/demos,sim}/src/main)
   [ -z "$(find "${sources[@]}" -newer .cache/classpath 2>/dev/null | head -n 1)" ]
 }
 

@@ -1,6 +1,6 @@
 package frustum.boards
 
-import frustum.blackbox.Tech
+import frustum.device.Tech
 import spinal.core._
 
 /** A clock of a top: `net` is its name in the netlist, `mhz` what it has to reach. */

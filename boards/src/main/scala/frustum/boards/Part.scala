@@ -1,6 +1,6 @@
 package frustum.boards
 
-import frustum.blackbox.Tech
+import frustum.device.Tech
 
 /** A device the flow can build for.
   *

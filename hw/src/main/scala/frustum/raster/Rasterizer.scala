@@ -1,9 +1,11 @@
 package frustum.raster
 
-import frustum.blackbox.Tech
-import frustum.frame.TilePosition
-import frustum.link.{FrameJob, StoreBus}
-import frustum.spec.{RasterConfig, StoreLayout}
+import frustum.contract.raster.{RasterConfig, StoreLayout}
+import frustum.device.Tech
+import frustum.raster.scan.{InterpolatedFragment, Interpolator, RenderStateLoader, Span, TileSequencer}
+import frustum.raster.setup.TriangleSetup
+import frustum.raster.store.{FrameJob, RenderStateWord, StoreBus}
+import frustum.raster.tile.TilePosition
 import spinal.core._
 import spinal.lib._
 

@@ -1,8 +1,14 @@
 package frustum.ray
 
-import frustum.blackbox.Tech
-import frustum.fixed.LockstepPipeline
-import frustum.spec.Wall
+import frustum.arithmetic.LockstepPipeline
+import frustum.contract.ray.Wall
+import frustum.device.Tech
+import frustum.ray.hit.{NearestSphere, ShadowStage, WallStage}
+import frustum.ray.program.RaySetup
+import frustum.ray.scene.{RayConfig, RayMotionBundle}
+import frustum.ray.shade.SphereShade
+import frustum.ray.surface.{SurfaceCells, SurfacePaint}
+import frustum.ray.walk.RayWalkers
 import spinal.core._
 import spinal.lib._
 
@@ -10,7 +16,7 @@ import spinal.lib._
   *
   * `latch`: at the start of the vertical blank, takes `motion`, which must stay for `takeClocks`. `line`: once before each row,
   * `lineClocks` or more before its first pixel, after the last pixel of the row before, and a whole row after the last `line`. Everything a pixel needs is the
-  * sign of a whole polynomial, see [[frustum.spec.RaySceneForms]]; cells are quotients found bit by bit.
+  * sign of a whole polynomial, see [[frustum.contract.ray.RaySceneForms]]; cells are quotients found bit by bit.
   */
 case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Component {
   import config.{mode, program, scene}
@@ -66,8 +72,8 @@ case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Com
     }
   }
   val walkers = new RayWalkers(config, setup.io.load, line, node)
-  val walls   = new WallTest(scene, walkers, line, wallStart)
-  val shadow  = new ShadowTest(scene, walkers, line, walls, wallStart)
+  val walls   = new WallStage(scene, walkers, line, wallStart)
+  val shadow  = new ShadowStage(scene, walkers, line, walls, wallStart)
   val cells   = new SurfaceCells(scene, walkers, line, walls, wallStart)
   val spheres = scene.spheres.nonEmpty generate
     new NearestSphere(scene, walkers, line, shadeStart, shade, config.anyRay)

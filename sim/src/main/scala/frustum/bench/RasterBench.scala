@@ -1,10 +1,11 @@
 package frustum.bench
 
-import frustum.engine.{DrawnPass, EngineSim, PipelineEngine, PipelineEvent, PipelineSession}
-import frustum.host.{DrawOptions, Driver, PreparedFrame}
+import frustum.contract.raster.{FramePass, RasterConfig, RenderState, TileRegion, Wrap}
+import frustum.driver.raster.{DrawOptions, Driver, PreparedFrame}
+import frustum.engine.EngineSim
+import frustum.engine.raster.{DrawnPass, PipelineEngine, PipelineEvent, PipelineSession}
 import frustum.model.raster.{FragmentSink, Rasterizer}
 import frustum.scene.Scenes
-import frustum.spec.{FramePass, RasterConfig, RenderState, TileRegion, Wrap}
 
 /** The figures of `bench raster`, in clocks unless the name says otherwise; see the specification for the scenes. */
 final case class RasterFigures(

@@ -1,6 +1,6 @@
 package frustum.bench
 
-import frustum.engine.{DrawnPass, PipelineEvent}
+import frustum.engine.raster.{DrawnPass, PipelineEvent}
 
 /** What a triangle costs, from a frame with copies of it one after the other: the clocks from one copy's being handed
   * over to the next's, summed over the tiles that its box touches. So set-up and drawing overlap as they do in a stream of

@@ -1,6 +1,6 @@
 package frustum.bench
 
-import frustum.spec._
+import frustum.contract.raster.{Combine, DepthFunction, FramePass, PackedTriangle, PackedVertex, RasterConfig, RenderState, TexelFormat, TextureRef, TextureUpload, TileRegion}
 import scala.util.Random
 
 /** The triangles behind the figures of `bench raster`: 64 x 64 texture, depth test less, source-alpha blend, at random

@@ -1,6 +1,6 @@
 package frustum.command
 
-import frustum.spec._
+import frustum.contract.raster.{Combine, Command, CommandShape, DepthFunction, PackedVertex, RenderState, TexelFormat, TextureRef, Wrap}
 import java.nio.file.{Files, Paths}
 
 /** Prints `docs/commands.md` from the command table and the formats themselves, so that the page is what the hardware
@@ -14,7 +14,7 @@ object CommandPage {
   def text: String =
     (Seq(
       "# Commands",
-      "*Printed from the table `frustum.spec.Command` and the formats beside it by " +
+      "*Printed from the table `frustum.contract.raster.Command` and the formats beside it by " +
         "`./sbt \"sim/runMain frustum.command.CommandPage\"`; a test fails when it is stale. Edit those, not this page.*"
     ) ++ CommandPageText.framing ++ overview ++ Command.all.flatMap(section) ++ vertex ++ state ++
       CommandPageText.flow ++ CommandPageText.status).mkString("", "\n\n", "\n")

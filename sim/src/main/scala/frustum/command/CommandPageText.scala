@@ -1,7 +1,7 @@
 package frustum.command
 
-import frustum.link.{Framer, LinkStatus}
-import frustum.spec._
+import frustum.contract.raster.Command
+import frustum.raster.link.{Framer, LinkStatus}
 
 /** The parts of [[CommandPage]] that are sentences: framing, flow control, status. */
 object CommandPageText {

@@ -1,7 +1,21 @@
 package frustum.command
 
-import frustum.InputError
 import frustum.boards.flow.FlowFault
+import frustum.command.bench.BenchCommand
+import frustum.command.bitstream.BitstreamCommand
+import frustum.command.budgets.BudgetsCommand
+import frustum.command.chart.ChartCommand
+import frustum.command.common.{CommandLine, Words}
+import frustum.command.demo.DemoCommand
+import frustum.command.fit.FitCommand
+import frustum.command.mutate.MutateCommand
+import frustum.command.play.PlayCommand
+import frustum.command.pong.PongCommand
+import frustum.command.render.RenderCommand
+import frustum.command.stability.StabilityCommand
+import frustum.command.verilog.VerilogCommand
+import frustum.command.voxel.VoxelCommand
+import frustum.contract.InputError
 import scala.util.control.NonFatal
 
 /** Entry of the workbench: the command's name, then its arguments; or `--line` and all of it as one line,

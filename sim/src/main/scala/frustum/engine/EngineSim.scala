@@ -1,7 +1,7 @@
 package frustum.engine
 
-import frustum.OutputFile
-import frustum.spec.RasterConfig
+import frustum.contract.raster.RasterConfig
+import frustum.files.OutputFile
 import spinal.core._
 import spinal.core.sim._
 import java.nio.file.{Files, Path, StandardCopyOption}

@@ -1,14 +1,7 @@
 package frustum.judge
 
-import frustum.reference.raster.{
-  Attributes,
-  ExactCoverage,
-  Sampler,
-  ScreenVertex,
-  Shading,
-  TriangleAttributes
-}
-import frustum.spec.{FramePass, RenderState, Wrap}
+import frustum.contract.raster.{FramePass, RenderState, Wrap}
+import frustum.reference.raster.{Attributes, ExactCoverage, Sampler, ScreenVertex, Shading, TriangleAttributes}
 
 /** Texels against the reference's.
   *

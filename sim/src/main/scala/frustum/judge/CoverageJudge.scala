@@ -1,7 +1,7 @@
 package frustum.judge
 
+import frustum.contract.raster.{FramePass, RasterConfig}
 import frustum.reference.raster.{ExactCoverage, PixelRect}
-import frustum.spec.{FramePass, RasterConfig}
 
 /** How the covered pixels differ from the exact set, summed over triangles.
   *

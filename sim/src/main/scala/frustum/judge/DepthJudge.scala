@@ -1,14 +1,7 @@
 package frustum.judge
 
-import frustum.reference.raster.{
-  ExactCoverage,
-  PixelRect,
-  ReferenceFrame,
-  ScreenVertex,
-  Shading,
-  TriangleAttributes
-}
-import frustum.spec.{FramePass, RasterConfig, RenderState}
+import frustum.contract.raster.{FramePass, RasterConfig, RenderState}
+import frustum.reference.raster.{ExactCoverage, PixelRect, ReferenceFrame, ScreenVertex, Shading, TriangleAttributes}
 
 /** What is seen, against the reference.
   *

@@ -1,6 +1,6 @@
 package frustum.judge
 
-import frustum.host.PreparedFrame
+import frustum.driver.raster.PreparedFrame
 import frustum.reference.raster.{ReferenceRaster, Shading}
 import scala.collection.mutable.ArrayBuffer
 

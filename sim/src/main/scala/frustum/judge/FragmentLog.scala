@@ -1,6 +1,6 @@
 package frustum.judge
 
-import frustum.FragmentProbe
+import frustum.model.raster.FragmentProbe
 import scala.collection.mutable.ArrayBuilder
 
 /** A covered pixel as the model saw it; `texelS`, `texelT` after wrapping, `depth` 0..65535. */

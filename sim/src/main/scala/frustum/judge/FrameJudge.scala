@@ -1,10 +1,11 @@
 package frustum.judge
 
-import frustum.engine.{PassRenderer, ReferenceRenderer, RenderedFrame}
-import frustum.host.PreparedFrame
+import frustum.contract.raster.RasterConfig
+import frustum.driver.raster.PreparedFrame
+import frustum.engine.raster.{ReferenceRenderer, RenderedFrame}
+import frustum.model.raster.PassRenderer
 import frustum.picture.Picture
 import frustum.reference.raster.{ReferenceFrame, ReferenceRaster}
-import frustum.spec.RasterConfig
 
 /** The model against the reference that was fed with the vertices as the hardware decodes them. */
 final case class ModelVerdict(coverage: CoverageVerdict, texels: AttributeVerdict, depth: DepthVerdict) {

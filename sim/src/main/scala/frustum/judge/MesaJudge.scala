@@ -1,7 +1,7 @@
 package frustum.judge
 
-import frustum.host.PreparedFrame
-import frustum.spec.RenderState
+import frustum.contract.raster.RenderState
+import frustum.driver.raster.PreparedFrame
 import frustum.reference.raster.{Mesa, PixelRect, ScreenVertex, TriangleAttributes}
 
 /** A model's fragments against Mesa's picture of the same vertices.

@@ -1,12 +1,10 @@
 package frustum.judge
 
-import frustum.engine.PongFrame
-import frustum.model.game.PongGame
-import frustum.model.pipelines.PongModel
+import frustum.contract.ray.RayMotion
+import frustum.demos.pong.PongPipelineConfig
+import frustum.engine.pong.PongFrame
+import frustum.model.demos.pong.{PongGame, PongModel}
 import frustum.model.ray.RayPicture
-import frustum.pipelines.PongPipelineConfig
-import frustum.spec.RayMotion
-
 import scala.concurrent.ExecutionContext.Implicits.global
 import scala.concurrent.duration.Duration
 import scala.concurrent.{Await, Future}

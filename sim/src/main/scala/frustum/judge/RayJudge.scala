@@ -1,7 +1,7 @@
 package frustum.judge
 
+import frustum.contract.ray.{RayMotion, RayScene}
 import frustum.reference.ray.ExactRay
-import frustum.spec.{RayMotion, RayScene}
 
 /** Judges frames of a ray caster, given as object ids and 0xRRGGBB, against exact arithmetic. A wall or a quad has its paint's
   * colour or, in shadow, half of it; any other counts as a wrong cell or texel.

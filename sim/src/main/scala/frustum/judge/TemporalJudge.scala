@@ -1,11 +1,11 @@
 package frustum.judge
 
-import frustum.host.{ClipTriangle, DrawOptions, Driver, RepeatRemoval, Viewport}
+import frustum.contract.raster.{FramePass, PackedTriangle, RasterConfig, RenderState, TileRegion, Wrap}
+import frustum.driver.raster.{ClipTriangle, DrawOptions, Driver, RepeatRemoval, Viewport}
+import frustum.driver.scene.Scene
 import frustum.model.raster.{Rasterizer, ScreenFragments}
-import frustum.model.texture.Divide
+import frustum.model.raster.texture.Divide
 import frustum.reference.raster.{ScreenVertex, TriangleAttributes}
-import frustum.scene.Scene
-import frustum.spec._
 import org.joml.Vector4d
 import scala.collection.mutable
 import scala.math.{cos, sin, sqrt, Pi}

@@ -1,10 +1,11 @@
 package frustum.judge
 
-import frustum.host.VoxelView
-import frustum.model.pipelines.{VoxelModel, VoxelPixel}
-import frustum.model.voxel.{LeapWords, Marcher, RayStart}
+import frustum.contract.voxel.{LeapField, VoxelCamera}
+import frustum.driver.voxel.VoxelView
+import frustum.model.voxel.march.{Marcher, RayStart}
+import frustum.model.voxel.{VoxelModel, VoxelPixel}
+import frustum.model.voxel.world.LeapWords
 import frustum.reference.voxel.{ExactMarch, IdealVoxelPicture}
-import frustum.spec.{LeapField, VoxelCamera}
 
 /** What was found over all rays of a picture, or of several.
   *

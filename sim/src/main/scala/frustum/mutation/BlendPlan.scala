@@ -1,9 +1,9 @@
 package frustum.mutation
 
-import frustum.blackbox.Tech
-import frustum.fragment.Blend
+import frustum.contract.raster.RasterConfig
+import frustum.device.Tech
 import frustum.model
-import frustum.spec.RasterConfig
+import frustum.raster.fragment.Blend
 import scala.util.Random
 
 /** Blending, as `BlendTest` has it: tiles of a few and of all pixels, blended and replaced, over different clear colours, swept while
@@ -52,7 +52,7 @@ object BlendPlan {
           val (color, a, passed) =
             (BlendPlan.color(r), Seq(0, 31, r.nextInt(32))(r.nextInt(3)), r.nextInt(4) > 0)
           enter(Some(payload(at, bank, color, a, mark = false)), passed, mark = false, bank)
-          if (passed) buffer(at) = if (blend) model.fragment.Blend(color, buffer(at), a) else color
+          if (passed) buffer(at) = if (blend) model.raster.fragment.Blend(color, buffer(at), a) else color
         }
         // Marks are never blended away, whatever their alpha.
         enter(

@@ -1,7 +1,7 @@
 package frustum.mutation
 
-import frustum.model.raster.{EdgeWalker, Span}
-import frustum.spec.RasterConfig
+import frustum.contract.raster.RasterConfig
+import frustum.model.raster.scan.{EdgeWalker, Span}
 import scala.math.max
 import scala.util.Random
 

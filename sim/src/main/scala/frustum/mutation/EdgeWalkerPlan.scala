@@ -1,8 +1,8 @@
 package frustum.mutation
 
+import frustum.contract.raster.RasterConfig
 import frustum.mutation.MutationPlan.values
-import frustum.raster.EdgeWalker
-import frustum.spec.RasterConfig
+import frustum.raster.scan.EdgeWalker
 import scala.util.Random
 
 /** The edge walker, as `EdgeWalkerTest` has it: triangles of all families, loaded in random clocks. */

@@ -5,7 +5,7 @@ object MutationPlans {
   val all: Seq[(String, Long => MutationPlan)] = Seq(
     "edge-walker"        -> EdgeWalkerPlan.apply,
     "perspective-divide" -> PerspectiveDividePlan.apply,
-    "depth-test"         -> DepthTestPlan.apply,
+    "depth-test"         -> DepthStagePlan.apply,
     "blend"              -> BlendPlan.apply
   )
 }

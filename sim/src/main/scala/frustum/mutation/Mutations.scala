@@ -1,7 +1,7 @@
 package frustum.mutation
 
 import frustum.boards.flow.{FlowFault, Tool}
-import frustum.lab.UnitVerilog
+import frustum.synthesis.UnitVerilog
 import java.nio.file.{Files, Path}
 import scala.jdk.CollectionConverters._
 import spinal.core.Component

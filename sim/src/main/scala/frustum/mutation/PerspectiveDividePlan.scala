@@ -1,8 +1,8 @@
 package frustum.mutation
 
-import frustum.blackbox.Tech
+import frustum.device.Tech
+import frustum.{model, raster}
 import frustum.mutation.MutationPlan.values
-import frustum.{model, texture}
 import scala.util.Random
 
 /** The perspective divide, as `PerspectiveDivideTest` has it: corners of all three operands, then random ones of any size. */
@@ -25,7 +25,7 @@ object PerspectiveDividePlan {
     def word(v: Int, bits: Int) = v & (1L << bits) - 1
     MutationPlan(
       "PerspectiveDivide",
-      () => texture.PerspectiveDivide(Tech.Generic),
+      () => raster.texture.PerspectiveDivide(Tech.Generic),
       in.flatMap { case (s, t, q) =>
         def step(valid: Boolean, s: Int, t: Int, q: Int) = MutationStep(
           values(
@@ -45,7 +45,7 @@ object PerspectiveDividePlan {
       stalled = Seq("io_down_ready"),
       event = Some((Seq("io_down_valid", "io_down_ready"), Seq("io_down_payload_s", "io_down_payload_t"))),
       events = in.map { case (s, t, q) =>
-        Seq(s, t).map(v => Some(BigInt(word(model.texture.PerspectiveDivide(v, q), 32))))
+        Seq(s, t).map(v => Some(BigInt(word(model.raster.texture.PerspectiveDivide(v, q), 32))))
       }.toIndexedSeq,
       busy = Some("io_busy")
     )

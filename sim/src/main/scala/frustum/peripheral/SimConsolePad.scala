@@ -1,6 +1,6 @@
 package frustum.peripheral
 
-import frustum.input.ConsolePadPins
+import frustum.demos.pad.ConsolePadPins
 import spinal.core._
 import spinal.core.sim._
 import scala.collection.mutable.ArrayBuffer

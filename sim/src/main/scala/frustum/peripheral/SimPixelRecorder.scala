@@ -1,7 +1,7 @@
 package frustum.peripheral
 
-import frustum.frame.ResolvedPixel
-import frustum.spec.RasterConfig
+import frustum.contract.raster.RasterConfig
+import frustum.video.ResolvedPixel
 import spinal.core._
 import spinal.core.sim._
 import spinal.lib._

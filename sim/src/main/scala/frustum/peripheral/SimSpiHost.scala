@@ -1,6 +1,6 @@
 package frustum.peripheral
 
-import frustum.link.CommandPins
+import frustum.bus.CommandPins
 import spinal.core._
 import spinal.core.sim._
 import spinal.lib._

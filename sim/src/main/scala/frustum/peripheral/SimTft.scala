@@ -1,6 +1,6 @@
 package frustum.peripheral
 
-import frustum.display.DisplayPins
+import frustum.video.DisplayPins
 import spinal.core._
 import spinal.core.sim._
 import spinal.lib._

@@ -1,6 +1,6 @@
 package frustum.peripheral
 
-import frustum.spec.VideoMode
+import frustum.contract.video.VideoMode
 import spinal.core._
 import spinal.core.sim._
 

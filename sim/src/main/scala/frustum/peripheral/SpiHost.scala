@@ -1,8 +1,8 @@
 package frustum.peripheral
 
-import frustum.link.CommandPins
-import frustum.link.LinkStatus
-import frustum.model.link.LinkCounters
+import frustum.bus.CommandPins
+import frustum.model.raster.link.LinkCounters
+import frustum.raster.link.LinkStatus
 import spinal.core.sim._
 
 /** A microcontroller's SPI master at the command port, SPI mode 0, as a simulation thread's subroutine.
@@ -39,7 +39,7 @@ final class SpiHost(pins: CommandPins, halfPeriod: Long, cts: () => Boolean, lat
   def sendBits(byte: Int, count: Int): Unit = frame(bits(byte, count))
 
   /** The status bytes of one frame, while nothing but flags is sent. */
-  def status(): Seq[Int] = send(Seq.fill(LinkStatus.Bytes)(frustum.spec.Command.Flag), heedCts = false)
+  def status(): Seq[Int] = send(Seq.fill(LinkStatus.Bytes)(frustum.contract.raster.Command.Flag), heedCts = false)
 
   private def frame[A](body: => A): A = {
     pins.cs #= false

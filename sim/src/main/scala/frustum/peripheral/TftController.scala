@@ -1,7 +1,6 @@
 package frustum.peripheral
 
-import frustum.spec.Panel
-
+import frustum.contract.video.Panel
 import scala.collection.mutable.ArrayBuffer
 
 /** An ILI9341 or ST7789 with its memory of 240 x 320 pixels, fed with the bytes of its serial port and their times.

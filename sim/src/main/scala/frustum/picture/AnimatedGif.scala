@@ -1,6 +1,6 @@
 package frustum.picture
 
-import frustum.OutputFile
+import frustum.files.OutputFile
 import java.awt.image.BufferedImage
 import java.nio.file.Path
 import javax.imageio.metadata.IIOMetadataNode

@@ -1,10 +1,10 @@
 package frustum.picture
 
+import frustum.contract.video.ColorFormat
+import frustum.files.OutputFile
 import java.awt.image.BufferedImage
 import java.nio.file.Path
 import javax.imageio.ImageIO
-import frustum.OutputFile
-import frustum.spec.ColorFormat
 
 /** Pictures are 0xRRGGBB, row by row from the top left. */
 object Picture {

@@ -1,7 +1,9 @@
 package frustum.scene
 
-import frustum.{InputError, JsonFile}
-import frustum.spec.{BlockArt, BlockTable, BlockType, VoxelAssets, VoxelTextures}
+import frustum.contract.InputError
+import frustum.contract.voxel.{BlockTable, BlockType, VoxelAssets, VoxelTextures}
+import frustum.demos.voxel.BlockArt
+import frustum.files.JsonFile
 import java.nio.file.Path
 import scala.collection.mutable
 

@@ -1,6 +1,7 @@
 package frustum.scene
 
-import frustum.spec.Combine
+import frustum.contract.raster.Combine
+import frustum.driver.scene.{Camera, Material, Scene, TextureImage, Triangle}
 import org.joml.Vector3d
 
 /** A brick corridor with repeated textures, panes of coloured glass (blended) and a grille (alpha-tested) in

@@ -1,5 +1,6 @@
 package frustum.scene
 
+import frustum.driver.scene.{MeshVertex, Triangle}
 import org.joml.Vector3d
 
 /** Triangles from rows of vertices. */

@@ -1,6 +1,7 @@
 package frustum.scene
 
-import frustum.spec.{Blocks, WorldSize}
+import frustum.contract.voxel.WorldSize
+import frustum.demos.voxel.Blocks
 import scala.math.floor
 import scala.util.Random
 

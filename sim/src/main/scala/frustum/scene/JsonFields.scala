@@ -1,7 +1,7 @@
 package frustum.scene
 
-import frustum.InputError
-import frustum.spec.IntVector
+import frustum.contract.arithmetic.IntVector
+import frustum.contract.InputError
 import java.nio.file.Path
 
 /** Parts of a JSON file, each with the path to it: what is no such thing is refused in one line. */

@@ -1,6 +1,7 @@
 package frustum.scene
 
-import frustum.spec.Combine
+import frustum.contract.raster.Combine
+import frustum.driver.scene.{Material, TextureImage}
 import java.nio.file.Path
 
 /** A material library (MTL): diffuse colour, opacity and picture; what the hardware has no use for is

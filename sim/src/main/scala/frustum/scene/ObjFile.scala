@@ -1,5 +1,6 @@
 package frustum.scene
 
+import frustum.driver.scene.Material
 import org.joml.Vector3d
 import java.nio.file.Path
 import scala.collection.mutable

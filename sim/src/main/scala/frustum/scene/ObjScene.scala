@@ -1,7 +1,8 @@
 package frustum.scene
 
-import frustum.InputError
-import frustum.spec.Combine
+import frustum.contract.InputError
+import frustum.contract.raster.Combine
+import frustum.driver.scene.{BoundingSphere, Camera, Material, MeshVertex, Scene, SceneOrigin, Triangle}
 import org.joml.Vector3d
 import java.nio.file.Path
 
@@ -14,7 +15,7 @@ object ObjScene {
     *
     * @param textureOverride
     *   a picture for all faces in place of the materials' own
-    * @throws frustum.InputError
+    * @throws frustum.contract.InputError
     *   naming file, line, what is wrong and the remedy
     */
   def read(file: Path, textureOverride: Option[Path]): Scene = {

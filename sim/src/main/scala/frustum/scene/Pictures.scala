@@ -1,5 +1,7 @@
 package frustum.scene
 
+import frustum.driver.scene.TextureImage
+
 /** The textures of our scenes, drawn in code. A picture is a function of texel column and row, from the top
   * left.
   */

@@ -1,7 +1,9 @@
 package frustum.scene
 
-import frustum.{InputError, JsonFile}
-import frustum.spec._
+import frustum.contract.arithmetic.IntVector
+import frustum.contract.InputError
+import frustum.contract.ray.{RayCamera, RayCameraRange, RayChecker, RayImage, RayPaint, RayQuad, RayRoom, RayScene, RaySolid, RaySphere}
+import frustum.files.JsonFile
 import java.nio.file.Path
 
 /** A ray-cast scene as JSON. Every key may be left out and is then that of `base`:

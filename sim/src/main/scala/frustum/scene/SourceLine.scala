@@ -1,6 +1,7 @@
 package frustum.scene
 
-import frustum.{InputError, InputFile}
+import frustum.contract.InputError
+import frustum.files.InputFile
 import java.nio.charset.StandardCharsets
 import java.nio.file.Path
 

@@ -1,5 +1,6 @@
 package frustum.scene
 
+import frustum.driver.scene.{MeshVertex, Triangle}
 import org.joml.Vector3d
 
 /** The Utah teapot: the 32 bicubic patches Martin Newell published in 1975 (with the bottom added in 1987),

@@ -1,7 +1,8 @@
 package frustum.scene
 
+import frustum.contract.raster.Combine
+import frustum.driver.scene.{Camera, Material, MeshVertex, Scene}
 import frustum.scene.Pictures.Rgb
-import frustum.spec.Combine
 import org.joml.Vector3d
 import scala.math.{cos, max, sin}
 

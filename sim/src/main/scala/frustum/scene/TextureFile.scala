@@ -1,6 +1,7 @@
 package frustum.scene
 
-import frustum.InputError
+import frustum.contract.InputError
+import frustum.driver.scene.TextureImage
 import java.awt.color.ColorSpace
 import java.awt.image.BufferedImage
 import java.nio.file.{Files, Path}

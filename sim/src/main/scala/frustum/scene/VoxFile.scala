@@ -1,7 +1,8 @@
 package frustum.scene
 
-import frustum.{InputError, InputFile}
-import frustum.spec.{VoxelAssets, WorldSize}
+import frustum.contract.InputError
+import frustum.contract.voxel.{VoxelAssets, WorldSize}
+import frustum.files.InputFile
 import java.nio.file.Path
 import java.nio.{ByteBuffer, ByteOrder}
 

@@ -1,7 +1,9 @@
 package frustum.scene
 
-import frustum.{InputError, InputFile}
-import frustum.spec.{Blocks, WorldSize}
+import frustum.contract.InputError
+import frustum.contract.voxel.WorldSize
+import frustum.demos.voxel.Blocks
+import frustum.files.InputFile
 import java.nio.file.Path
 
 /** Blocks of a world: their ids at x * sizeY * sizeZ + y * sizeZ + z, 0 is air. */

@@ -1,7 +1,7 @@
 package frustum.boards
 
-import frustum.blackbox.{SinglePortRam, Tech}
 import frustum.boards.icebreaker.IcebreakerClock
+import frustum.device.{SinglePortRam, Tech}
 import spinal.core._
 import spinal.lib._
 

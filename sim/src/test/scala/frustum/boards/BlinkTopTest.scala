@@ -1,6 +1,6 @@
 package frustum.boards
 
-import frustum.blackbox.Tech
+import frustum.device.Tech
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 

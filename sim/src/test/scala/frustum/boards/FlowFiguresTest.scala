@@ -1,6 +1,6 @@
 package frustum.boards
 
-import frustum.boards.flow._
+import frustum.boards.flow.{BitstreamReport, FlowFault, Icetime, Nextpnr, Placement, Tool, Yosys}
 import org.scalatest.funsuite.AnyFunSuite
 import java.nio.file.Files
 import java.util.concurrent.TimeUnit

@@ -1,6 +1,6 @@
 package frustum.boards
 
-import frustum.boards.flow._
+import frustum.boards.flow.{Ice40Flow, Ice40Tools, Nextpnr, Tool}
 import java.nio.file.{Files, Path, Paths}
 import org.scalatest.funsuite.AnyFunSuite
 

@@ -1,9 +1,10 @@
 package frustum.boards
 
+import frustum.contract.raster.RasterConfig
+import frustum.contract.video.Panel
+import frustum.video.{DisplayPins, ResolvedPixel, SpiDisplay}
+
 // docs/reuse.md quotes what follows.
-import frustum.display.{DisplayPins, SpiDisplay}
-import frustum.frame.ResolvedPixel
-import frustum.spec.{Panel, RasterConfig}
 import spinal.core._
 import spinal.lib._
 

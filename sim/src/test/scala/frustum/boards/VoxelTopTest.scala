@@ -1,8 +1,8 @@
 package frustum.boards
 
-import frustum.blackbox.Tech
 import frustum.boards.arty.{ArtyTops, VoxelTop}
-import frustum.spec.WorldSize
+import frustum.contract.voxel.WorldSize
+import frustum.device.Tech
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core._
 import spinal.core.internals.AssignmentStatement

@@ -1,8 +1,8 @@
 package frustum.engine
 
+import frustum.contract.video.VideoMode
 import frustum.harness.FrustumSim
 import frustum.peripheral.SimVideoMonitor
-import frustum.spec.VideoMode
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core._
 import spinal.core.sim._

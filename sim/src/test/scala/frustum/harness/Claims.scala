@@ -1,6 +1,6 @@
 package frustum.harness
 
-import frustum.link.StoreBus
+import frustum.raster.store.StoreBus
 import spinal.core._
 import spinal.core.formal._
 import spinal.lib._

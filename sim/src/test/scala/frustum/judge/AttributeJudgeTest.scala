@@ -1,7 +1,7 @@
 package frustum.judge
 
+import frustum.contract.raster.{FramePass, Wrap}
 import frustum.judge.Passes._
-import frustum.spec.{FramePass, Wrap}
 import org.scalatest.funsuite.AnyFunSuite
 
 class AttributeJudgeTest extends AnyFunSuite {

@@ -1,7 +1,7 @@
 package frustum.judge
 
+import frustum.contract.raster.TileRegion
 import frustum.judge.Passes._
-import frustum.spec.TileRegion
 import org.scalatest.funsuite.AnyFunSuite
 
 class CoverageJudgeTest extends AnyFunSuite {

@@ -1,8 +1,8 @@
 package frustum.judge
 
+import frustum.contract.raster.{Combine, FramePass, RenderState, TexelFormat, TextureRef}
 import frustum.judge.Passes._
 import frustum.reference.raster.{ReferenceFrame, ReferenceRaster}
-import frustum.spec.{Combine, FramePass, RenderState, TexelFormat, TextureRef}
 import org.scalatest.funsuite.AnyFunSuite
 
 class DepthJudgeTest extends AnyFunSuite {

@@ -1,8 +1,8 @@
 package frustum.judge
 
-import frustum.engine.ReferenceRenderer
-import frustum.host.PreparedFrame
-import frustum.spec._
+import frustum.contract.raster.{Combine, FramePass, PackedTriangle, PackedVertex, RasterConfig, RenderState, TexelFormat, TextureRef, TextureUpload, TileRegion}
+import frustum.driver.raster.PreparedFrame
+import frustum.engine.raster.ReferenceRenderer
 import scala.util.Random
 
 /** Small passes for the tests of reference and judges. */

@@ -1,10 +1,9 @@
 package frustum.judge
 
-import frustum.engine.PongFrame
-import frustum.model.game.{PongButtons, PongGame}
-import frustum.model.pipelines.PongModel
-import frustum.pipelines.PongPipelineConfig
-import frustum.spec._
+import frustum.contract.video.VideoMode
+import frustum.demos.pong.{PongPipelineConfig, PongScene}
+import frustum.engine.pong.PongFrame
+import frustum.model.demos.pong.{PongButtons, PongGame, PongModel}
 import org.scalatest.funsuite.AnyFunSuite
 
 class PongJudgeTest extends AnyFunSuite {

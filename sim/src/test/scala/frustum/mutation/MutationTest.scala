@@ -14,7 +14,7 @@ class MutationTest extends AnyFunSuite {
   private val folder = Paths.get("simWorkspace", "mutation")
 
   test("depth test: 40 mutants, of which nearly all are found; what is left is compared with the unit") {
-    val r = new MutationRun(yosys, folder, info(_))(DepthTestPlan(1), 40, seed = 2)
+    val r = new MutationRun(yosys, folder, info(_))(DepthStagePlan(1), 40, seed = 2)
     assert(r.count > 30 && r.killed.length >= 0.75 * r.count, r)
     assert(r.killPercent >= 90, r)
   }

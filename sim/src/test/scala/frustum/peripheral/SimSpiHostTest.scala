@@ -1,12 +1,14 @@
 package frustum.peripheral
 
-import frustum.blackbox.Tech
+import frustum.bus.SpiSlave
+import frustum.contract.raster.{RasterConfig, StoreLayout}
+import frustum.device.Tech
 import frustum.harness.FrustumSim
-import frustum.link._
-import frustum.model.link.LinkModel
-import frustum.spec._
+import frustum.model.raster.link.LinkModel
+import frustum.raster.link.{CommandLink, LinkChecks, LinkSink, LinkStatus, LinkTraffic}
+import frustum.raster.store.{FrameJob, Store, StoreBus}
+import frustum.raster.texture.TexelWrite
 import org.scalatest.funsuite.AnyFunSuite
-import frustum.texture.TexelWrite
 import spinal.core._
 import spinal.core.sim._
 import spinal.lib._

@@ -1,7 +1,7 @@
 package frustum.peripheral
 
+import frustum.contract.video.VideoMode
 import frustum.harness.FrustumSim
-import frustum.spec.VideoMode
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 

@@ -1,7 +1,8 @@
 package frustum.peripheral
 
-import frustum.model.display.SpiDisplay
-import frustum.spec._
+import frustum.contract.raster.RasterConfig
+import frustum.contract.video.Panel
+import frustum.model.video.SpiDisplay
 import org.scalatest.funsuite.AnyFunSuite
 
 class TftControllerTest extends AnyFunSuite {

@@ -1,6 +1,6 @@
 package frustum.picture
 
-import frustum.spec.ColorFormat
+import frustum.contract.video.ColorFormat
 import org.scalatest.funsuite.AnyFunSuite
 import java.nio.file.Files
 import javax.imageio.ImageIO

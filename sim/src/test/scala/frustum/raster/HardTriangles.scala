@@ -1,7 +1,6 @@
 package frustum.raster
 
-import frustum.spec._
-
+import frustum.contract.raster.{FramePass, PackedTriangle, PackedVertex, RasterConfig, RenderState, TileRegion}
 import scala.util.Random
 
 /** Triangles that find faults in set-up, edges and walker. Positions in 1/16 pixel, attributes anything the link lets in.

@@ -1,7 +1,9 @@
 package frustum.raster
 
+import frustum.contract.raster.RasterConfig
 import frustum.harness.{Claims, Formal, Prover}
-import frustum.spec.RasterConfig
+import frustum.raster.scan.{EdgeWalker, Interpolator, TileSequencer}
+import frustum.raster.setup.SetupFetch
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core._
 import spinal.core.formal._

@@ -1,9 +1,9 @@
 package frustum.raster
 
+import frustum.contract.raster.{FramePass, RasterConfig}
 import frustum.judge.{CoverageJudge, LoggedFragment}
 import frustum.model.raster.{Rasterizer, ScreenFragments}
 import frustum.reference.raster.ExactCoverage
-import frustum.spec._
 import org.scalatest.funsuite.AnyFunSuite
 
 import scala.collection.mutable.ArrayBuffer

@@ -1,11 +1,12 @@
 package frustum.raster
 
-import frustum.blackbox.Tech
-import frustum.frame.TilePosition
+import frustum.contract.raster.{FramePass, PackedTriangle, PackedVertex, RasterConfig, RenderState, StoreLayout, TileRegion}
+import frustum.device.Tech
 import frustum.harness.FrustumSim
-import frustum.link.{FrameJob, StoreBus}
 import frustum.model
-import frustum.spec._
+import frustum.raster.scan.InterpolatedFragment
+import frustum.raster.store.{FrameJob, RenderStateWord, StoreBus}
+import frustum.raster.tile.TilePosition
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core._
 import spinal.core.sim._

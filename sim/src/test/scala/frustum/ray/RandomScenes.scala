@@ -1,7 +1,8 @@
 package frustum.ray
 
-import frustum.spec._
-
+import frustum.contract.arithmetic.IntVector
+import frustum.contract.ray.{RayCamera, RayCameraRange, RayChecker, RayImage, RayMotion, RayPaint, RayScene, RaySolid, RaySphere, Wall}
+import frustum.demos.pong.PongScene
 import scala.util.Random
 
 /** Scenes and motions drawn from a seed. */

@@ -1,8 +1,12 @@
 package frustum.ray
 
+import frustum.contract.arithmetic.IntVector
+import frustum.contract.ray.{RayCamera, RayChecker, RayImage, RayScene, RaySolid, RaySphere}
+import frustum.contract.video.VideoMode
+import frustum.demos.pong.PongScene
 import frustum.harness.FrustumSim
 import frustum.model.ray.{RayPicture, RayPixel => ModelPixel}
-import frustum.spec._
+import frustum.ray.scene.RayConfig
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core._
 import spinal.core.sim._

@@ -1,7 +1,9 @@
 package frustum.ray
 
+import frustum.contract.video.VideoMode
+import frustum.demos.pong.PongScene
 import frustum.harness.FrustumSim
-import frustum.spec.{PongScene, VideoMode}
+import frustum.ray.scene.RayConfig
 
 /** Writes the ray caster of pong alone as Verilog, for a synthesis check: arguments folder, optionally "noLight", "moving" for
   * a camera that moves.

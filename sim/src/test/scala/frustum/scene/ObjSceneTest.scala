@@ -1,7 +1,8 @@
 package frustum.scene
 
-import frustum.InputError
-import frustum.spec.Combine
+import frustum.contract.InputError
+import frustum.contract.raster.Combine
+import frustum.driver.scene.{Material, Scene}
 import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 import java.awt.image.BufferedImage

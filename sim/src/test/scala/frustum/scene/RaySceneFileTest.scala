@@ -1,7 +1,9 @@
 package frustum.scene
 
-import frustum.InputError
-import frustum.spec._
+import frustum.contract.arithmetic.IntVector
+import frustum.contract.InputError
+import frustum.contract.ray.{RayBox, RayCamera, RayCameraRange, RayChecker, RayImage, RayQuad, RayRoom, RayScene, RaySolid, RaySphere}
+import frustum.demos.pong.PongScene
 import org.scalatest.funsuite.AnyFunSuite
 
 import java.nio.file.Files

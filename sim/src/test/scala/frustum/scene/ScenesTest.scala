@@ -1,8 +1,8 @@
 package frustum.scene
 
-import frustum.InputError
-import frustum.host.{Driver, Fixtures}
-import frustum.spec._
+import frustum.contract.InputError
+import frustum.contract.raster.RasterConfig
+import frustum.driver.raster.{Driver, Fixtures}
 import org.scalatest.funsuite.AnyFunSuite
 
 class ScenesTest extends AnyFunSuite {

@@ -1,7 +1,8 @@
 package frustum.scene
 
-import frustum.InputError
-import frustum.spec.{Blocks, WorldSize}
+import frustum.contract.InputError
+import frustum.contract.voxel.WorldSize
+import frustum.demos.voxel.Blocks
 import org.scalatest.funsuite.AnyFunSuite
 import java.nio.file.Files
 import java.nio.{ByteBuffer, ByteOrder}

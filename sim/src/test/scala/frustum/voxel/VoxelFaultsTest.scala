@@ -1,10 +1,11 @@
 package frustum.voxel
 
-import frustum.host.VoxelView
-import frustum.model.pipelines.VoxelModel
-import frustum.model.voxel.LayerComposite
+import frustum.contract.voxel.{VoxelConfig, WorldSize}
+import frustum.demos.voxel.Blocks
+import frustum.driver.voxel.VoxelView
+import frustum.model.voxel.VoxelModel
+import frustum.model.voxel.wide.LayerComposite
 import frustum.scene.VoxelWorld
-import frustum.spec._
 import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random

@@ -1,10 +1,12 @@
 package frustum.voxel
 
-import frustum.engine.VoxelSession
-import frustum.host.VoxelView
-import frustum.model.pipelines.VoxelModel
+import frustum.contract.voxel.{LeapField, VoxelConfig, WorldSize}
+import frustum.demos.voxel.Blocks
+import frustum.driver.voxel.VoxelView
+import frustum.engine.voxel.VoxelSession
+import frustum.model.voxel.VoxelModel
 import frustum.scene.{Hills, VoxelWorld}
-import frustum.spec.{Blocks, LeapField, VoxelConfig, WorldSize}
+import frustum.voxel.march.MarcherStages
 import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random
 

@@ -1,8 +1,8 @@
 package frustum.voxel
 
-import frustum.host.VoxelView
+import frustum.contract.voxel.{VoxelConfig, WorldSize}
+import frustum.driver.voxel.VoxelView
 import frustum.scene.VoxelWorld
-import frustum.spec.{VoxelConfig, WorldSize}
 import org.joml.Vector3d
 import scala.util.Random
 

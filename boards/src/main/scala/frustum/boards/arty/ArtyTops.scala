@@ -1,8 +1,10 @@
 package frustum.boards.arty
 
 import frustum.boards.{BoardClock, BoardTop, Part}
-import frustum.pipelines.{PongPipelineConfig, VoxelConsoleConfig}
-import frustum.spec.{Blocks, LeapField, VideoMode, VoxelConfig}
+import frustum.contract.video.VideoMode
+import frustum.contract.voxel.{LeapField, VoxelConfig}
+import frustum.demos.pong.PongPipelineConfig
+import frustum.demos.voxel.{Blocks, VoxelConsoleConfig}
 
 /** What is built for Digilent's Arty A7. */
 object ArtyTops {

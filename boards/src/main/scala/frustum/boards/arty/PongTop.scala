@@ -1,7 +1,7 @@
 package frustum.boards.arty
 
-import frustum.blackbox.{Artix7ClockDivider, Tech}
-import frustum.pipelines.{PongPipeline, PongPipelineConfig}
+import frustum.demos.pong.{PongPipeline, PongPipelineConfig}
+import frustum.device.{Artix7ClockDivider, Tech}
 import spinal.core._
 
 /** `arty-pong`: four buttons, 3-D pong, a VGA PMOD. The pixel clock is a quarter of the oscillator's 100 MHz. */

@@ -1,7 +1,7 @@
 package frustum.boards.arty
 
-import frustum.blackbox.Tech
-import frustum.pipelines.{VoxelConsole, VoxelConsoleConfig}
+import frustum.demos.voxel.{VoxelConsole, VoxelConsoleConfig}
+import frustum.device.Tech
 import spinal.core._
 
 /** `arty-voxel` and `arty-voxel-35t`: a world of blocks from the host, a console's pad, a VGA PMOD. All runs from the oscillator's

@@ -1,6 +1,6 @@
 package frustum.boards.icebreaker
 
-import frustum.blackbox.{Ice40Pll, Ice40PllSettings, Tech}
+import frustum.device.{Ice40Pll, Ice40PllSettings, Tech}
 import spinal.core._
 import spinal.lib.ResetCtrl
 

@@ -1,13 +1,15 @@
 package frustum.boards.icebreaker
 
 import frustum.boards.{BoardClock, BoardTop, Part}
-import frustum.pipelines.PongPipelineConfig
-import frustum.spec.{Panel, RasterConfig, VoxelConfig}
+import frustum.contract.raster.RasterConfig
+import frustum.contract.video.Panel
+import frustum.contract.voxel.VoxelConfig
+import frustum.demos.pong.PongPipelineConfig
 
 /** What is built for the iCEBreaker. */
 object IcebreakerTops {
 
-  /** A frequency the PLL can make of 12 MHz, see [[frustum.blackbox.Ice40PllSettings]]. */
+  /** A frequency the PLL can make of 12 MHz, see [[frustum.device.Ice40PllSettings]]. */
   private val coreMHz = BigDecimal("36")
 
   /** What a host may clock the command port with. */

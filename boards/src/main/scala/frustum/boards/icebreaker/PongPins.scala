@@ -1,6 +1,6 @@
 package frustum.boards.icebreaker
 
-import frustum.game.PongButtons
+import frustum.demos.pong.PongButtons
 import spinal.core._
 
 /** Pins of `icebreaker-pong`, named as in `boards/icebreaker/pong.pcf`.

@@ -1,7 +1,7 @@
 package frustum.boards.icebreaker
 
-import frustum.blackbox.{ClockOutput, Tech}
-import frustum.pipelines.{PongPipeline, PongPipelineConfig}
+import frustum.demos.pong.{PongPipeline, PongPipelineConfig}
+import frustum.device.{ClockOutput, Tech}
 import spinal.core._
 
 /** `icebreaker-pong`: four buttons, 3-D pong, a 12-bit DVI PMOD.

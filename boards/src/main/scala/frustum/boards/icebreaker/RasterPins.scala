@@ -1,7 +1,7 @@
 package frustum.boards.icebreaker
 
-import frustum.display.DisplayPins
-import frustum.link.CommandPins
+import frustum.bus.CommandPins
+import frustum.video.DisplayPins
 import spinal.core._
 import spinal.lib._
 
@@ -9,7 +9,7 @@ import spinal.lib._
   *
   *   - `clk`: 12 MHz; in a simulation the core clock itself
   *   - `resetn`: low resets, not synchronised
-  *   - `host`: command port, SPI mode 0, `cs` active low; `host_miso` gives [[frustum.link.LinkStatus]]
+  *   - `host`: command port, SPI mode 0, `cs` active low; `host_miso` gives [[frustum.raster.link.LinkStatus]]
   *   - `cts`: high while the host may send, see `docs/commands.md`
   *   - `tftMux`: high lets the host drive the display itself, with its `sck`, `mosi`, `tftCs` and `tftDc`
   */

@@ -1,10 +1,11 @@
 package frustum.boards.icebreaker
 
-import frustum.blackbox.Tech
-import frustum.display.{PassThrough, SpiDisplay}
-import frustum.link.SpiSlave
-import frustum.pipelines.RasterPipeline
-import frustum.spec.{Panel, RasterConfig}
+import frustum.bus.SpiSlave
+import frustum.contract.raster.RasterConfig
+import frustum.contract.video.Panel
+import frustum.device.Tech
+import frustum.raster.RasterPipeline
+import frustum.video.{PassThrough, SpiDisplay}
 import spinal.core._
 
 /** `icebreaker-raster`: commands by SPI, triangles, an SPI display.

@@ -1,6 +1,6 @@
 package frustum.boards.icebreaker
 
-import frustum.display.DisplayPins
+import frustum.video.DisplayPins
 import spinal.core._
 import spinal.lib._
 

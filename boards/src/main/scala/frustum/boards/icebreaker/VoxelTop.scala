@@ -1,8 +1,9 @@
 package frustum.boards.icebreaker
 
-import frustum.blackbox.Tech
-import frustum.pipelines.SmallVoxelConsole
-import frustum.spec.{Blocks, Panel, VoxelCamera, VoxelConfig}
+import frustum.contract.video.Panel
+import frustum.contract.voxel.{VoxelCamera, VoxelConfig}
+import frustum.demos.voxel.{Blocks, CompactVoxelConsole}
+import frustum.device.Tech
 import spinal.core._
 
 /** `icebreaker-voxel`: a world of blocks from the host, on an SPI display whose SCK is the core clock.
@@ -25,7 +26,7 @@ case class VoxelTop(
 
   val clocking = new IcebreakerClock(io.clk, io.resetn, coreMHz, tech)
   val core     = new ClockingArea(clocking.domain) {
-    val console = SmallVoxelConsole(
+    val console = CompactVoxelConsole(
       config,
       Blocks.assets,
       VoxelCamera.level(config, focal),

@@ -1,13 +1,15 @@
 package frustum.model.raster
 
-import frustum.spec._
-import frustum.spec.SetupWords._
+import frustum.contract.raster.{FramePass, RasterConfig, RenderState}
+import frustum.contract.raster.SetupWords._
+import frustum.model.raster.scan.EdgeWalker
+import frustum.model.raster.setup.TriangleSetup
 
 /** Takes what the rasterizer makes of a frame, in the hardware's order. */
 trait FragmentSink {
   def tile(tileX: Int, tileY: Int): Unit
 
-  /** A covered pixel of the tile; planes as in `frustum.raster.InterpolatedFragment`. */
+  /** A covered pixel of the tile; planes as in `frustum.raster.scan.InterpolatedFragment`. */
   def fragment(
       triangle: Int,
       state: RenderState,

@@ -1,6 +1,8 @@
 package frustum.model.ray
 
-import frustum.spec._
+import frustum.contract.ray.{RayChecker, RayImage, RayMotion, RayPaint, RayProgram, RayScene, RayShade, RaySolid, Wall}
+import frustum.model.ray.program.RaySetup
+import frustum.model.ray.shade.SphereShade
 
 /** What a ray caster says of a pixel: object (0 background, 1 wall, then quads, then spheres) and colour. */
 case class RayPixel(rgb: Int, objectId: Int)

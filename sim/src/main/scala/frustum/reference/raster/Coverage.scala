@@ -1,6 +1,6 @@
 package frustum.reference.raster
 
-import frustum.spec.{FramePass, PackedVertex, RasterConfig, TileRegion}
+import frustum.contract.raster.{FramePass, PackedVertex, RasterConfig, TileRegion}
 
 /** Which pixels a triangle covers. */
 trait Coverage {

@@ -1,7 +1,7 @@
 package frustum.reference.raster
 
-import frustum.OutputFile
-import frustum.spec.{FramePass, RasterConfig, RenderState}
+import frustum.contract.raster.{FramePass, RasterConfig, RenderState}
+import frustum.files.OutputFile
 import java.nio.file.{Files, Path}
 import java.util.Locale
 import scala.sys.process.{ProcessLogger, stringSeqToProcess}

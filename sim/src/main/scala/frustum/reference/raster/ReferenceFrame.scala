@@ -1,6 +1,6 @@
 package frustum.reference.raster
 
-import frustum.spec.{RasterConfig, RenderState}
+import frustum.contract.raster.{RasterConfig, RenderState}
 
 /** A frame being drawn in double precision; arrays are row by row from the top left.
   *

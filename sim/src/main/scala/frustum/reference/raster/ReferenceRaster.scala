@@ -1,7 +1,7 @@
 package frustum.reference.raster
 
-import frustum.host.PreparedFrame
-import frustum.spec.{FramePass, RenderState, TextureUpload}
+import frustum.contract.raster.{FramePass, RenderState, TextureUpload}
+import frustum.driver.raster.PreparedFrame
 
 /** A covered pixel of the reference, before any test. `texel` is after wrapping, None without a texture. */
 final case class ReferenceFragment(

@@ -1,6 +1,6 @@
 package frustum.reference.raster
 
-import frustum.spec.{TexelFormat, TextureRef, Wrap}
+import frustum.contract.raster.{TexelFormat, TextureRef, Wrap}
 
 /** A colour; components 0..255. */
 final case class Rgba(r: Double, g: Double, b: Double, a: Double)

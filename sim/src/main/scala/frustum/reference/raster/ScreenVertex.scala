@@ -1,7 +1,7 @@
 package frustum.reference.raster
 
-import frustum.host.ClipVertex
-import frustum.spec.{PackedVertex, RasterConfig}
+import frustum.contract.raster.{PackedVertex, RasterConfig}
+import frustum.driver.raster.ClipVertex
 
 /** A vertex on the screen in double precision.
   *

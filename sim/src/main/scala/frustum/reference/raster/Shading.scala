@@ -1,6 +1,6 @@
 package frustum.reference.raster
 
-import frustum.spec.{Combine, RenderState, TexelFormat, TextureRef}
+import frustum.contract.raster.{Combine, RenderState, TexelFormat, TextureRef}
 
 /** Fragment colour and alpha test in double precision. */
 object Shading {

@@ -1,7 +1,7 @@
 package frustum.reference.voxel
 
-import frustum.scene.{SeenFace, VoxelWorld}
-import frustum.spec.{BlockTable, VoxelConfig}
+import frustum.contract.voxel.{BlockTable, SeenFace, VoxelConfig}
+import frustum.scene.VoxelWorld
 
 /** A ray from an eye through the world, block by block, in whole numbers and therefore exact.
   *

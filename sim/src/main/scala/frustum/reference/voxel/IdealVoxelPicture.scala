@@ -1,8 +1,8 @@
 package frustum.reference.voxel
 
-import frustum.host.VoxelView
+import frustum.contract.voxel.{VoxelAssets, VoxelConfig}
+import frustum.driver.voxel.VoxelView
 import frustum.scene.VoxelWorld
-import frustum.spec.{VoxelAssets, VoxelConfig}
 import scala.math.{floor, sqrt}
 
 /** The picture in float64: ideal directions, distances in a straight line, colours that are nowhere rounded. */

@@ -1,6 +1,6 @@
 package frustum.reference.raster
 
-import frustum.spec.RasterConfig
+import frustum.contract.raster.RasterConfig
 import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random
 

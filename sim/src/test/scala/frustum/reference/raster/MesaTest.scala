@@ -1,10 +1,10 @@
 package frustum.reference.raster
 
-import frustum.engine.Engines
-import frustum.host.{DrawOptions, Driver}
+import frustum.contract.raster.{FramePass, RasterConfig, Wrap}
+import frustum.driver.raster.{DrawOptions, Driver}
+import frustum.engine.raster.Engines
 import frustum.judge.{AttributeJudge, FrameJudge, MesaJudge, Passes}
 import frustum.scene.Scenes
-import frustum.spec.{FramePass, RasterConfig, Wrap}
 import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random
 

@@ -1,10 +1,10 @@
 package frustum.reference.raster
 
+import frustum.contract.raster.{Combine, DepthFunction, FramePass, RasterConfig, RenderState, TexelFormat, TextureRef, TileRegion, Wrap}
+import frustum.driver.raster.{DrawOptions, Driver}
 import frustum.judge.Passes
 import frustum.judge.Passes._
 import frustum.scene.Scenes
-import frustum.host.{DrawOptions, Driver}
-import frustum.spec._
 import org.scalatest.funsuite.AnyFunSuite
 
 class ReferenceRasterTest extends AnyFunSuite {

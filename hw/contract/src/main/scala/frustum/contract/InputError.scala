@@ -1,0 +1,3 @@
+package frustum.contract
+
+final case class InputError(message: String) extends RuntimeException(message)

@@ -1,0 +1,29 @@
+package frustum.contract.raster
+
+/** A triangle of a frame: three vertex indices and a render state. Drawn when v0, v1, v2 turn clockwise on the screen. */
+final case class PackedTriangle(state: Int, v0: Int, v1: Int, v2: Int) {
+  def words: Seq[Int] = { val w = v0 << 20 | v1 << 10 | v2; Seq(w >>> 16, w & 0xffff) }
+}
+
+/** A rectangle of tiles, both ends inclusive. */
+final case class TileRegion(x0: Int, y0: Int, x1: Int, y1: Int)
+object TileRegion {
+  def whole(c: RasterConfig): TileRegion = TileRegion(0, 0, c.tilesX - 1, c.tilesY - 1)
+}
+
+/** What one `begin` .. `draw` sequence makes the hardware draw: a frame, or the part of a frame inside `region`.
+  * Several passes with disjoint regions make up a frame that exceeds the store.
+  *
+  * @param clearColor RGB565; every pixel of the region starts from it, and from the farthest depth
+  */
+final case class FramePass(
+    frame: Int,
+    clearColor: Int,
+    region: TileRegion,
+    states: IndexedSeq[RenderState],
+    vertices: IndexedSeq[PackedVertex],
+    triangles: IndexedSeq[PackedTriangle]
+)
+
+/** Texels for texel memory: `base` in units of 64 texels, row by row from the bottom row (t = 0) up, 16 bits each. */
+final case class TextureUpload(base: Int, texels: IndexedSeq[Int])

@@ -1,0 +1,92 @@
+package frustum.contract.raster
+
+/** A vertex as the hardware holds it: screen space, fixed point, exactly 20 bytes on the wire.
+  *
+  * @param x   signed, 1/16 pixel, right of the screen's left edge; |x| <= [[PackedVertex.MaxXy]]
+  * @param y   signed, 1/16 pixel, below the screen's top edge; |y| <= [[PackedVertex.MaxXy]]
+  * @param z   depth, 0 (near) to 65535 (far)
+  * @param qMantissa 1/w = qMantissa * 2^(qExponent - 31); 32768 to 65535
+  * @param qExponent 0 to 31
+  * @param s,t texture coordinates in repeats, 16 fractional bits, |s|, |t| <= [[PackedVertex.MaxSt]]
+  * @param r,g,b,a colour, 0 to 255
+  *
+  * Pixel (i, j) has its centre at (16 i + 8, 16 j + 8).
+  */
+final case class PackedVertex(
+    x: Int,
+    y: Int,
+    z: Int,
+    qMantissa: Int,
+    qExponent: Int,
+    s: Int,
+    t: Int,
+    r: Int,
+    g: Int,
+    b: Int,
+    a: Int
+) {
+
+  /** What keeps the hardware from accepting this vertex, or None. The decoder makes the same test at its door. */
+  def fault: Option[String] = fault(VertexRanges())
+
+  /** The same for hardware made for these ranges. */
+  def fault(ranges: VertexRanges): Option[String] =
+    if (x.abs > ranges.maxXy || y.abs > ranges.maxXy) Some(s"position ($x, $y)/16 is beyond +-${ranges.maxXy}/16 pixels")
+    else if (z < 0 || z > 65535) Some(s"depth $z is outside 0..65535")
+    else if (qMantissa < 32768 || qMantissa > 65535) Some(s"1/w mantissa $qMantissa is not normalised (32768..65535)")
+    else if (qExponent < 0 || qExponent > 31) Some(s"1/w exponent $qExponent is outside 0..31")
+    else if (s.abs > ranges.maxSt || t.abs > ranges.maxSt)
+      Some(s"texture coordinate ($s, $t)/65536 is beyond +-${ranges.maxSt}/65536 repeats")
+    else if (Seq(r, g, b, a).exists(c => c < 0 || c > 255)) Some(s"colour ($r, $g, $b, $a) is outside 0..255")
+    else None
+
+  /** The ten 16-bit words of the wire, in order. */
+  def words: Seq[Int] = Seq(
+    x & 0xffff,
+    y & 0xffff,
+    z,
+    qMantissa,
+    (qExponent << 11) | ((s >> 16) & 0x7ff),
+    s & 0xffff,
+    (t >> 16) & 0x7ff,
+    t & 0xffff,
+    (r << 8) | g,
+    (b << 8) | a
+  )
+}
+
+object PackedVertex {
+  val WireWords = 10
+
+  /** 1/16 pixel units: vertices lie strictly within +-1024 pixels of the screen's top left corner. */
+  val MaxXy = 16383
+
+  /** Texture coordinates lie strictly within +-128 repeats, so that a triangle spans up to 256. */
+  val MaxSt = (128 << 16) - 1
+
+  def decode(w: Seq[Int]): PackedVertex = {
+    require(w.length == WireWords, s"a vertex has $WireWords words, not ${w.length}")
+    def signed11(v: Int) = (v & 0x7ff) << 21 >> 21
+    PackedVertex(
+      x = w(0).toShort,
+      y = w(1).toShort,
+      z = w(2),
+      qMantissa = w(3),
+      qExponent = w(4) >> 11,
+      s = (signed11(w(4)) << 16) | w(5),
+      t = (signed11(w(6)) << 16) | w(7),
+      r = w(8) >> 8,
+      g = w(8) & 255,
+      b = w(9) >> 8,
+      a = w(9) & 255
+    )
+  }
+
+  /** 1/w as mantissa and exponent, rounded to nearest; w must lie in [[Domain.MinW]]..[[Domain.MaxW]]. */
+  def reciprocalW(w: Double): (Int, Int) = {
+    require(w >= Domain.MinW && w <= Domain.MaxW, s"w = $w is outside ${Domain.MinW}..${Domain.MaxW}")
+    val e = scala.math.getExponent(1 / w)
+    val m = scala.math.round(scala.math.scalb(1 / w, 15 - e)).toInt
+    if (m == 65536) (32768, e + 17) else (m, e + 16)
+  }
+}

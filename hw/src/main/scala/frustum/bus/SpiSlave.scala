@@ -1,0 +1,86 @@
+package frustum.bus
+
+import frustum.raster.link.LinkStatus
+import spinal.core._
+import spinal.lib._
+
+/** The host's side of the command port. `cs` is active low. */
+case class CommandPins() extends Bundle with IMasterSlave {
+  val sck, mosi, cs, miso       = Bool()
+  override def asMaster(): Unit = { out(sck, mosi, cs); in(miso) }
+}
+
+/** SPI slave, mode 0, most significant bit first, clocked by SCK itself: SCK may be faster than the core clock, as long
+  * as eight of its periods last at least five periods of the core clock, and may stop after any bit: nothing waits for
+  * another edge. A high `cs` resets the bit count, so a frame that ends within a byte loses that byte alone.
+  *
+  * A byte waits in a register of the SCK domain while a toggle crosses to the core; it leaves `bytes` three to four
+  * core clocks after its last bit and must be taken before the next.
+  *
+  * MISO answers every frame with the bytes of [[LinkStatus]]. A byte is asked for while the one before it is being
+  * sent, so its value is at most two bytes old.
+  */
+case class SpiSlave() extends Component {
+  val io = new Bundle {
+    val pins   = slave(CommandPins())
+    val bytes  = master(Stream(Bits(8 bits)))
+    val status = in(LinkStatus())
+  }
+
+  // Whoever drives the pins, their timing is SCK's.
+  io.pins.mosi.addTag(crossClockDomain)
+
+  // The core's side, declared first because the SCK domain reads it.
+  val statusByte = Reg(Bits(8 bits))
+
+  val rising = new ClockingArea(SpiSlave.domain(io.pins, RISING)) {
+    val shift = Reg(Bits(7 bits))
+    val bit   = Reg(UInt(3 bits)) init 0
+    val index = Reg(UInt(3 bits)) init 0 // bytes of this frame, modulo 8
+    val ended = Reg(Bool()) init False   // with this edge a byte ended
+    val first = Reg(Bool()) init False   // the last byte that ended was the frame's first, or any 8th after it
+    shift := shift(5 downto 0) ## io.pins.mosi
+    bit   := bit + 1
+    ended := bit === 7
+    when(bit === 7) {
+      index := index + 1
+      first := index === 0
+    }
+  }
+  // Not touched by `cs`: a byte stays valid after the frame ends.
+  val held = new ClockingArea(ClockDomain(io.pins.sck, config = ClockDomainConfig(resetKind = BOOT))) {
+    val byte   = Reg(Bits(8 bits))
+    val toggle = Reg(Bool()) init False
+    when(rising.bit === 7) {
+      byte   := rising.shift ## io.pins.mosi
+      toggle := !toggle
+    }
+  }
+  val falling = new ClockingArea(SpiSlave.domain(io.pins, FALLING)) {
+    val shift = Reg(Bits(8 bits)) init LinkStatus.Magic
+    val next  = Mux(rising.first, B(LinkStatus.Version, 8 bits), statusByte.addTag(crossClockDomain))
+    // Nothing is prepared while the first byte comes, so the second byte of the answer is a constant.
+    shift := Mux(rising.ended, next, shift |<< 1)
+  }
+  io.pins.miso := falling.shift.msb
+
+  // Without reset: after a reset of the core alone, the toggle must not look like a byte.
+  val toggle  = BufferCC(held.toggle, bufferDepth = Some(2))
+  val arrived = toggle =/= RegNext(toggle)
+  val byte    = RegNextWhen(held.byte.addTag(crossClockDomain), arrived)
+  val valid   = RegInit(False) setWhen arrived clearWhen (io.bytes.ready && !arrived)
+  io.bytes.valid   := valid
+  io.bytes.payload := byte
+
+  // When byte n has arrived, byte n + 1 of the answer is on the wire, n + 2 is prepared, and `index` is n + 1.
+  val ask = rising.index.addTag(crossClockDomain) + 1
+  when(arrived)(statusByte := io.status.select(ask))
+}
+
+object SpiSlave {
+  private def domain(pins: CommandPins, edge: EdgeKind) = ClockDomain(
+    clock = pins.sck,
+    reset = pins.cs,
+    config = ClockDomainConfig(clockEdge = edge, resetKind = ASYNC, resetActiveLevel = HIGH)
+  )
+}

@@ -1,0 +1,16 @@
+package frustum.raster.scan
+
+import frustum.contract.raster.RasterConfig
+import spinal.core._
+
+/** What starts the drawing of a triangle's part in a tile, or ends the tile.
+  *
+  * The planes' values at the first pixel of the first span, whose column is `x`, lie in the slot's entry `parity`.
+  */
+case class DrawToken(config: RasterConfig, slots: Int) extends Bundle {
+  val tileEnd = Bool()
+  val state   = UInt(4 bits) // render state index
+  val slot    = UInt(log2Up(slots) bits)
+  val parity  = Bool()
+  val x       = UInt(config.tileLog2Width bits)
+}

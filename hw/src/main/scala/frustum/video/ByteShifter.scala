@@ -1,0 +1,50 @@
+package frustum.video
+
+import frustum.device.{ClockOutput, Tech}
+import spinal.core._
+import spinal.lib._
+
+/** A byte for the display, `data` telling it from a command. */
+case class DisplayByte() extends Bundle {
+  val data  = Bool()
+  val value = Bits(8 bits)
+}
+
+/** Serialises bytes, SPI mode 0, most significant bit first, `clocksPerBit` clocks a bit, without a clock between bytes
+  * that come in time: one of `8 * clocksPerBit` clocks. `cs` rises when none comes. (SpiMasterCtrl of spinal.lib needs
+  * idle clocks between bytes.)
+  *
+  * With one clock a bit SCK is the clock itself, see [[frustum.device.ClockOutput]].
+  */
+case class ByteShifter(clocksPerBit: Int, tech: Tech) extends Component {
+  require(clocksPerBit >= 1 && isPow2(clocksPerBit), s"ByteShifter: $clocksPerBit clocks a bit are not 1, 2, 4, 8 ...")
+  val io = new Bundle {
+    val bytes             = slave(Stream(DisplayByte()))
+    val sck, mosi, dc, cs = out Bool ()
+  }
+  val phaseBits = log2Up(clocksPerBit)
+  val count     = RegInit(U(0, 3 + phaseBits bits))
+  val active    = RegInit(False)
+  val shift     = Reg(Bits(8 bits))
+  val data      = Reg(Bool())
+
+  io.bytes.ready := !active || count.andR
+  when(active) {
+    count := count + 1
+    when(if (phaseBits == 0) True else count(phaseBits - 1 downto 0).andR)(shift := shift |<< 1)
+  }
+  when(io.bytes.ready)(active := io.bytes.valid)
+  when(io.bytes.fire) {
+    shift := io.bytes.value
+    data  := io.bytes.data
+  }
+  io.sck := (if (phaseBits > 0) count(phaseBits - 1)
+             else {
+               val clock = ClockOutput(tech, gated = true)
+               clock.io.enable := active
+               clock.io.pin
+             })
+  io.mosi := shift.msb
+  io.dc   := data
+  io.cs   := !active
+}

@@ -1,0 +1,111 @@
+package frustum.voxel
+
+import frustum.contract.voxel.{VoxelAssets, VoxelCamera, VoxelConfig}
+import frustum.device.Tech
+import frustum.voxel.compact.{CompactComposite, CompactRays, CompactTexel}
+import frustum.voxel.march.{CameraMemory, CameraWrite, FacePicker, Marcher, MarcherStages, PixelOrder, PointedAt}
+import frustum.voxel.world.{SharedWorldMemory, WorldWrite}
+import spinal.core._
+import spinal.lib._
+
+/** [[VoxelPipeline]] for a small FPGA: the same pictures, pixels in order, RGB565, a frame buffer needless. Rays march four at a time, a
+  * step a clock; what happens once a ray, a face or a layer takes 9 to 17 clocks on one or two multipliers a unit.
+  * {{{
+  * SerialRays -> Marcher <-> SharedWorldMemory
+  *                  Marcher -> SerialTexel -> SerialComposite -> PixelOrder -> pixels
+  * }}}
+  * `start` is taken while not `busy` and a frame is drawn with the newest whole camera. Edits wait until a frame is drawn; if more than
+  * [[CompactVoxelPipeline.Patient]] do, they are made at once, a world being loaded.
+  *
+  * @param camera the one of the start
+  */
+case class CompactVoxelPipeline(
+    c: VoxelConfig,
+    assets: VoxelAssets,
+    camera: VoxelCamera,
+    tech: Tech,
+    reach: Int = VoxelConfig.Reach
+) extends Component {
+  import CompactVoxelPipeline._
+  fault(c).foreach(fault => throw new IllegalArgumentException(fault))
+  val io = new Bundle {
+    val start     = in Bool ()
+    val highlight = in Bool ()
+    val camera    = slave(Flow(CameraWrite()))
+    val commit    = in Bool ()
+    val edit      = slave(Stream(WorldWrite(c)))
+    val busy      = out Bool ()
+    val pending   = out Bool () // edits wait
+    val pixels    = master(Stream(Bits(16 bits)))
+    val pointedAt = out(PointedAt(c))
+    val step      = out Bool ()
+  }
+  private val stages = MarcherStages.Small
+  val cameras        = CameraMemory(c, camera)
+  val rays           = CompactRays(c, tech)
+  val marcher        = Marcher(c, assets.table, tech, stages)
+  val memory         = SharedWorldMemory(c, tech)
+  val texels         = CompactTexel(c, stages.slots, tech)
+  val composite      = CompactComposite(c, assets.table, assets.textures, stages.slots, tech)
+  val order          = PixelOrder()
+
+  val starting = io.start && !io.busy
+  cameras.io.write << io.camera
+  cameras.io.commit := io.commit
+  cameras.io.take   := starting
+  cameras.io.index  := rays.io.index
+  cameras.io.axis   := texels.io.axis
+  rays.io.value     := cameras.io.value
+  texels.io.eye     := cameras.io.eye
+  rays.io.start     := starting
+
+  rays.io.down >> marcher.io.up
+  marcher.io.memory <> memory.io.read
+  marcher.io.granted   := memory.io.granted
+  marcher.io.accepted  := texels.io.up.ready
+  texels.io.up.valid   := marcher.io.hits.valid
+  texels.io.up.payload := marcher.io.hits.payload
+  texels.io.down >> composite.io.up
+  composite.io.down >> order.io.up
+  order.io.next := rays.io.pixel
+  rays.io.room  := order.io.room
+  order.io.down >> io.pixels
+  io.step := marcher.io.step
+
+  val edits = new Area {
+    val queue = StreamFifo(WorldWrite(c), Edits)
+    queue.io.push << io.edit
+    io.pending := queue.io.pop.valid
+    val now = !io.busy || queue.io.occupancy > Patient
+    memory.io.write << queue.io.pop.continueWhen(now).toFlow
+  }
+
+  val pick = FacePicker(c, assets.table, stages.slots, reach)
+  pick.io.start := rays.io.start
+  pick.io.hits << texels.io.down.toFlowFire
+  rays.io.picked                                   := pick.io.picked
+  io.pointedAt                                     := pick.io.found
+  composite.io.pointedAt                           := pick.io.found
+  composite.io.pointedAt.valid.removeAssignments() := pick.io.found.valid && io.highlight
+
+  val drawing = new Area {
+    val rayCount = RegInit(U(0, 4 bits)) // begun and not done
+    when(rays.io.begun =/= composite.io.done)(rayCount := Mux(rays.io.begun, rayCount + 1, rayCount - 1))
+    io.busy := rays.io.busy || rayCount =/= 0
+  }
+}
+
+object CompactVoxelPipeline {
+
+  /** What it cannot be built for and what to do about it, or None. */
+  def fault(c: VoxelConfig): Option[String] =
+    if (c.leaps.wordBits > 8)
+      Some(s"leaps that take words of ${c.leaps.wordBits} bits do not fit two into 16; use up-down")
+    else if (c.farSquared - c.fogSquared >= (1 << 16))
+      Some(s"a view distance of ${c.distance} is too far for a multiplier of 16 bits; at most 24")
+    else None
+
+  /** Edits that wait while a frame is drawn, and how many of them are patient. */
+  val Edits   = 256
+  val Patient = 128
+}

@@ -1,3 +1,0 @@
-package frustum
-
-final case class InputError(message: String) extends RuntimeException(message)

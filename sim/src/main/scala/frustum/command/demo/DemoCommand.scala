@@ -1,0 +1,69 @@
+package frustum.command.demo
+
+import frustum.command.common.{Arguments, CommandLine, ReportTable}
+import frustum.command.render.{RenderReport, SceneRun}
+import frustum.command.voxel.VoxelRun
+import frustum.contract.raster.RasterConfig
+import frustum.engine.raster.{EngineOptions, Engines}
+import frustum.files.OutputFile
+import frustum.scene.Scenes
+import scopt.OParser
+import java.nio.file.{Path, Paths}
+
+/** Arguments of `demo`. */
+final case class DemoOptions(
+    engine: String = Engines.names.head,
+    out: Path = Paths.get("out", "demo"),
+    seed: Long = 1
+)
+
+/** `demo`: every scene, with its picture, the reference's and their difference on one page. */
+object DemoCommand extends CommandLine {
+  val name    = "demo"
+  val summary = "draws every scene; writes the page out/demo/index.html"
+
+  private val parser: OParser[_, DemoOptions] = {
+    val builder = OParser.builder[DemoOptions]
+    import builder._
+    OParser.sequence(
+      programName("./sbt demo"),
+      head(s"demo: $summary"),
+      opt[String](
+        "engine"
+      )(Arguments.oneOf(Engines.names.map(n => n -> n): _*)).valueName(Engines.names.mkString("|"))
+        .action((v, o) => o.copy(engine = v)).text(s"what draws (default ${Engines.names.head})"),
+      opt[Path]("out")(
+        Arguments.file
+      ).valueName("DIR").action((v, o) => o.copy(out = v)).text("(default out/demo)"),
+      opt[Long]("seed")(Arguments.seed).valueName("N").action((v, o) => o.copy(seed = v))
+        .text("of whatever is random (default 1)"),
+      note("  --help                   prints this")
+    )
+  }
+
+  def run(args: Seq[String]): Int = Arguments.parse(name, parser, args, DemoOptions()).fold(0)(demo)
+
+  private def demo(o: DemoOptions): Int = {
+    val entry  = Engines.byName(o.engine)
+    val config = RasterConfig()
+    val shown  = for (sceneName <- Scenes.names) yield {
+      val scene   = Scenes.byName(sceneName)
+      val run     = SceneRun.still(scene, config, entry, EngineOptions(o.seed, None))
+      val figures = run.figures((_, v) =>
+        DemoPictures.write(o.out, sceneName, config.width, config.height, v.picture, v.reference)
+      )
+      val report = RenderReport.json(name, o.seed, figures)
+      OutputFile.writeText(o.out.resolve(s"$sceneName.json"), ujson.write(report, indent = 2) + "\n")
+      (figures, report)
+    }
+    // Pong has no other engine.
+    val pong    = Option.when(Engines.byName(o.engine).atPins)(PongDemo(o.out, o.seed))
+    val voxel   = Option.when(VoxelRun.Engines.contains(o.engine))(VoxelDemo(o.out, o.engine))
+    val others  = pong ++ voxel
+    val reports = shown.map(_._2) ++ others.map(_._1)
+    OutputFile.writeText(o.out.resolve("index.html"), DemoPage(o.out, reports))
+    println(ReportTable(reports))
+    println(s"wrote ${o.out.resolve("index.html")}")
+    (shown.map { case (f, _) => f.verdict(o.out.resolve(s"${f.scene}.json")) } ++ others.map(_._2)).max
+  }
+}

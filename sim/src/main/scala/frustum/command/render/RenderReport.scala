@@ -1,0 +1,70 @@
+package frustum.command.render
+
+import frustum.boards.Tops
+import frustum.BuildInfo
+import frustum.command.common.Clock
+import frustum.files.InfinityAsNull
+import java.nio.file.{Files, Path, Paths}
+import scala.util.Try
+
+/** The JSON report of `render` and of each scene of `demo`. What the engine does not produce is absent. */
+object RenderReport {
+  private val Top = "icebreaker-raster"
+
+  def json(command: String, seed: Long, f: SceneFigures, clock: Clock = Clock.ofTop(Top)): ujson.Obj = {
+    val report = ujson.Obj(
+      "command" -> command,
+      "version" -> BuildInfo.version,
+      "seed"    -> seed.toDouble,
+      "engine"  -> f.engine,
+      "scene"   -> f.scene,
+      "width"   -> f.config.width,
+      "height"  -> f.config.height,
+      "frames"  -> f.frames.length
+    )
+    def put(key: String, value: Option[Double]): Unit = value.foreach(v => report(key) = v)
+    val clocks                                        = f.mean(_.clocks)
+    val atPins                                        = f.mean(_.clocksAtPins)
+    val fragments                                     = f.mean(frame => Some(frame.fragments))
+    put("triangles", f.mean(frame => Some(frame.sceneTriangles.toLong)))
+    put("trianglesDrawn", f.mean(frame => Some(frame.trianglesDrawn.toLong)))
+    put("fragments", fragments)
+    put("clocksPerFrame", clocks)
+    put("clocksPerFrameAtPins", atPins)
+    put("clocksPerFragment", clocks.zip(fragments.filter(_ > 0)).map { case (c, n) => c / n })
+    put("busBytes", f.mean(_.busBytes))
+    put("setUps", f.mean(_.setUps))
+    put("moves", f.mean(_.moves))
+    put("passes", f.mean(frame => Some(frame.passes.toLong)))
+    if (clocks.isDefined || atPins.isDefined) {
+      report("clockMHz") = clock.mhz
+      report("clockSource") = clock.source
+      put("framesPerSecond", clocks.map(clock.mhz * 1e6 / _))
+      put("framesPerSecondAtPins", atPins.map(clock.mhz * 1e6 / _))
+    }
+    report("engineSeconds") = f.seconds
+    f.pixelsDifferent.foreach(n => report("hardwareVsModel") = ujson.Obj("pixelsDifferent" -> n.toDouble))
+    f.model.foreach { m =>
+      report("modelVsReference") = ujson.Obj(
+        "coverageWrong"            -> m.coverage.wrong.toDouble,
+        "coverageMissing"          -> m.coverage.missing.toDouble,
+        "coverageExtra"            -> m.coverage.extra.toDouble,
+        "coverageTwice"            -> m.coverage.twice.toDouble,
+        "texelsJudged"             -> m.texels.judged.toDouble,
+        "texelsWrong"              -> m.texels.wrong.toDouble,
+        "texelsWrongByMoreThanOne" -> m.texels.wrongByMoreThanOne.toDouble,
+        "maxTexelError"            -> m.texels.maxError,
+        "primitiveWrong"           -> m.depth.primitiveWrong.toDouble,
+        "depthOrderWrong"          -> m.depth.depthOrderWrong.toDouble,
+        "psnr"                     -> InfinityAsNull.write(f.psnr)
+      )
+    }
+    report("endToEnd") = ujson.Obj(
+      "coverageWrong" -> f.endToEnd.coverageWrong.toDouble,
+      "texelsWrong"   -> f.endToEnd.texelsWrong.toDouble,
+      "psnr"          -> InfinityAsNull.write(f.endToEndPsnr),
+      "flip"          -> f.flip
+    )
+    report
+  }
+}

@@ -1,0 +1,75 @@
+package frustum.command.render
+
+import frustum.command.common.Progress
+import frustum.contract.raster.{RasterConfig, Wrap}
+import frustum.driver.raster.{DrawOptions, Driver, PreparedFrame}
+import frustum.driver.scene.{Camera, Scene}
+import frustum.engine.raster.{EngineEntry, EngineOptions, Engines}
+import frustum.judge.{FrameJudge, FrameVerdict}
+
+/** A scene on its way through driver, engine and judges.
+  *
+  * @param turnDegrees from each frame to the next
+  */
+final case class SceneRun(
+    scene: Scene,
+    camera: Camera,
+    options: DrawOptions,
+    config: RasterConfig,
+    frames: Int,
+    turnDegrees: Double,
+    entry: EngineEntry,
+    engineOptions: EngineOptions
+) {
+
+  /** Draws and judges every frame; `each` is handed one after the other, so that no more than one picture is
+    * kept. Whatever is wrong with the input shows before the first is drawn.
+    */
+  def figures(each: (Int, FrameVerdict) => Unit): SceneFigures = {
+    val prepared: Seq[PreparedFrame] = (0 until frames).map { i =>
+      Driver.prepare(
+        scene,
+        camera,
+        options.copy(turnDegrees = options.turnDegrees + i * turnDegrees),
+        config,
+        i
+      )
+    }
+    println(
+      s"${scene.name}: ${prepared.head.trianglesDrawn} triangles, " +
+        s"${config.width} x ${config.height}, engine ${entry.name}" +
+        (if (entry.atPins) s", display ${engineOptions.panel.name}" else "")
+    )
+    val started  = System.nanoTime
+    val rendered = entry.make(engineOptions).render(prepared)
+    val seconds  = (System.nanoTime - started) / 1e9
+    val model    = if (entry.name == "reference") None else Engines.model
+    val judge    = new FrameJudge(model, entry.simulated)
+    val progress = Progress(scene.name, frames)
+    val verdicts =
+      try prepared.zip(rendered).zipWithIndex.map { case ((frame, drawn), i) =>
+          val verdict = judge.judge(frame, drawn)
+          each(i, verdict)
+          progress.step()
+          FrameFigures(frame, drawn, verdict)
+        }
+      finally progress.close()
+    SceneFigures(scene.name, entry.name, config, verdicts, seconds)
+  }
+}
+
+object SceneRun {
+
+  /** One frame from the scene's own camera, as it is without arguments. */
+  def still(scene: Scene, config: RasterConfig, entry: EngineEntry, engineOptions: EngineOptions): SceneRun =
+    SceneRun(
+      scene,
+      scene.camera,
+      DrawOptions(None, cullBack = false, Wrap.Repeat, scene.background),
+      config,
+      frames = 1,
+      turnDegrees = 0,
+      entry,
+      engineOptions
+    )
+}

@@ -1,0 +1,158 @@
+package frustum.command.voxel
+
+import frustum.command.common.Arguments
+import frustum.contract.voxel.{LeapField, VoxelConfig}
+import org.joml.Vector3d
+import scopt.{OParser, Read}
+import java.nio.file.{Path, Paths}
+
+/** Arguments of `voxel`. */
+final case class VoxelOptions(
+    world: Option[Path] = None,
+    worldSize: (Int, Int, Int) = (64, 64, 32),
+    blocks: Option[Path] = None,
+    eye: Option[Vector3d] = None,
+    yaw: Option[Double] = None,
+    pitch: Option[Double] = None,
+    look: Option[Vector3d] = None,
+    size: (Int, Int) = (320, 240),
+    focal: Option[Double] = None,
+    distance: Int = 24,
+    leaps: Option[String] = None,
+    highlight: Boolean = false,
+    engine: String = VoxelRun.Engines.head,
+    path: Option[Path] = None,
+    serial: Option[Path] = None,
+    out: Path = Paths.get("out", "voxel", "voxel.png"),
+    report: Option[Path] = None,
+    seed: Long = 1
+) {
+
+  /** The name of the leaps: as asked for, or the engine's. */
+  def leapsName: String = leaps.getOrElse(if (engine == "small") "up-down" else VoxelOptions.leaps.head._1)
+  def reportFile: Path  = report.getOrElse(out.resolveSibling("voxel.json"))
+}
+
+object VoxelOptions {
+  val leaps: Seq[(String, LeapField)] = Seq(
+    "quadrants" -> LeapField.Quadrants,
+    "octants"   -> LeapField.Octants,
+    "up-down"   -> LeapField.UpDown,
+    "chebyshev" -> LeapField.Chebyshev,
+    "none"      -> LeapField.Plain
+  )
+
+  private val worldSize: Read[(Int, Int, Int)] = Read.reads { text =>
+    text.split("x", -1).map(_.toIntOption) match {
+      case Array(Some(x), Some(y), Some(z)) => (x, y, z)
+      case _                                => throw new IllegalArgumentException(s"'$text' is not a size such as 64x64x32")
+    }
+  }
+
+  private val distance: Read[Int] = Read.reads { text =>
+    text.toIntOption.filter(n => n >= 1 && n <= VoxelConfig.MostDistance).getOrElse(
+      throw new IllegalArgumentException(
+        s"'$text' is not a whole number of blocks from 1 to ${VoxelConfig.MostDistance}"
+      )
+    )
+  }
+
+  val parser: OParser[_, VoxelOptions] = {
+    val builder = OParser.builder[VoxelOptions]
+    import builder._
+    def option[A](
+        name: String,
+        value: String,
+        text: String,
+        read: Read[A]
+    )(set: (VoxelOptions, A) => VoxelOptions) =
+      opt[A](name)(read).valueName(value).action((v, o) => set(o, v)).text(text)
+    OParser.sequence(
+      programName("./sbt voxel"),
+      head(s"voxel: ${VoxelCommand.summary}"),
+      option[Path](
+        "world",
+        "FILE",
+        "raw ids, or MagicaVoxel .vox (default: hills from --seed)",
+        Arguments.file
+      )((o, v) =>
+        o.copy(world = Some(v))
+      ),
+      option[(Int, Int, Int)]("world-size", "XxYxZ", "blocks, powers of two (default 64x64x32)", worldSize)((o, v) =>
+        o.copy(worldSize = v)
+      ),
+      option[Path](
+        "blocks",
+        "FILE.json",
+        "kinds of block; docs/voxel.md tells the form (default: 24 of ours)",
+        Arguments.file
+      )((o, v) => o.copy(blocks = Some(v))),
+      option[Vector3d](
+        "eye",
+        "x,y,z",
+        "in blocks (default: a standing person's in the middle of the world)",
+        Arguments.vector
+      )((o, v) => o.copy(eye = Some(v))),
+      option[Double]("yaw", "DEG", "0 looks along +x, 90 along +y (default 30)", Arguments.finite)((o, v) =>
+        o.copy(yaw = Some(v))
+      ),
+      option[Double]("pitch", "DEG", "-90 to 90, up is positive (default -10)", Arguments.finite)((o, v) =>
+        o.copy(pitch = Some(v))
+      ),
+      option[Vector3d]("look", "dx,dy,dz", "direction, instead of --yaw and --pitch", Arguments.vector)((o, v) =>
+        o.copy(look = Some(v))
+      ),
+      option[(Int, Int)]("size", "WxH", "pixels (default 320x240)", Arguments.size)((o, v) =>
+        o.copy(size = v)
+      ),
+      option[Double](
+        "focal",
+        "PIXELS",
+        "from the eye to the screen (default 225 * height / 240)",
+        Arguments.positive
+      )((o, v) =>
+        o.copy(focal = Some(v))
+      ),
+      option[Int]("distance", "BLOCKS", "view distance (default 24)", distance)((o, v) =>
+        o.copy(distance = v)
+      ),
+      option[String](
+        "leaps",
+        leaps.map(_._1).mkString("|"),
+        s"over air (default ${leaps.head._1}, with --engine small up-down)",
+        Arguments.oneOf(leaps.map(l => l._1 -> l._1): _*)
+      )((o, v) => o.copy(leaps = Some(v))),
+      opt[Unit]("highlight").action((_, o) => o.copy(highlight = true))
+        .text(s"the face in the middle of the picture, if within ${VoxelConfig.Reach} blocks"),
+      option[String](
+        "engine",
+        VoxelRun.Engines.mkString("|"),
+        s"what draws; small is icebreaker-voxel's pipeline (default ${VoxelRun.Engines.head})",
+        Arguments.oneOf(VoxelRun.Engines.map(n => n -> n): _*)
+      )((o, v) => o.copy(engine = v)),
+      option[Path](
+        "path",
+        "FILE",
+        "poses, a line each: x y z yaw pitch; %d in --out is the line's number",
+        Arguments.file
+      )((o, v) => o.copy(path = Some(v))),
+      option[Path](
+        "serial",
+        "FILE",
+        "the world and the last view as a host sends them to arty-voxel, with --engine small to icebreaker-voxel (default: none)",
+        Arguments.file
+      )((o, v) => o.copy(serial = Some(v))),
+      option[Path](
+        "out",
+        "FILE.png",
+        "(default out/voxel/voxel.png, with --path out/voxel/voxel-%d.png)",
+        Arguments.file
+      )((o, v) => o.copy(out = v)),
+      option[Path]("report", "FILE.json", "(default voxel.json beside --out)", Arguments.file)((o, v) =>
+        o.copy(report = Some(v))
+      ),
+      option[Long]("seed", "N", "of the hills (default 1)", Arguments.seed)((o, v) => o.copy(seed = v)),
+      note("  --help                   prints this")
+    )
+  }
+}

@@ -1,0 +1,89 @@
+package frustum.command.voxel
+
+import frustum.contract.InputError
+import frustum.contract.voxel.{VoxelAssets, VoxelConfig, WorldSize}
+import frustum.demos.voxel.Blocks
+import frustum.driver.voxel.VoxelView
+import frustum.files.InputFile
+import frustum.scene.{BlockFile, Hills, VoxFile, VoxelWorld}
+import frustum.voxel.CompactVoxelPipeline
+import org.joml.Vector3d
+
+/** What the arguments of `voxel` ask for. */
+final case class VoxelScene(
+    config: VoxelConfig,
+    assets: VoxelAssets,
+    world: VoxelWorld,
+    views: Seq[VoxelView]
+)
+
+object VoxelScenes {
+  def apply(o: VoxelOptions): VoxelScene = {
+    val (sx, sy, sz) = o.worldSize
+    WorldSize.fault(sx, sy, sz).foreach(fault => throw InputError(s"--world-size: $fault"))
+    val size   = WorldSize(sx, sy, sz)
+    val assets = o.blocks.fold(Blocks.assets)(BlockFile.read)
+    val world  = o.world match {
+      case Some(file) if file.toString.toLowerCase.endsWith(".vox") => VoxFile.read(file, size, assets)
+      case Some(file)                                               => VoxelWorld.readRaw(file, size, assets.table.blocks.length)
+      case None if o.blocks.isDefined                               =>
+        throw InputError(
+          "--blocks without --world: the hills are built of the workbench's own blocks; give a --world"
+        )
+      case None => Hills(size, o.seed)
+    }
+    val config =
+      try VoxelConfig(
+          size,
+          o.size._1,
+          o.size._2,
+          VoxelOptions.leaps.toMap.apply(o.leapsName),
+          o.distance
+        )
+      catch {
+        case e: IllegalArgumentException =>
+          throw InputError(s"--size: ${e.getMessage.stripPrefix("requirement failed: ")}")
+      }
+    if (o.engine == "small") CompactVoxelPipeline.fault(config).foreach(fault => throw InputError(s"--engine small: $fault"))
+    def together(one: String, others: (String, Option[_])*): Unit =
+      others.collectFirst { case (other, Some(_)) => throw InputError(s"$one: tells what $other does; give one of them") }
+    if (o.look.isDefined) together("--look", "--yaw" -> o.yaw, "--pitch" -> o.pitch)
+    if (o.path.isDefined) together("--path", "--eye" -> o.eye, "--look" -> o.look, "--yaw" -> o.yaw, "--pitch" -> o.pitch)
+    val focal = o.focal.getOrElse(225.0 * config.height / 240)
+    val views = o.path match {
+      case Some(file) => poses(file.toString, InputFile.text(file, "give a text file in UTF-8"), focal, config)
+      case None       =>
+        val (yaw, pitch) = o.look.fold((o.yaw.getOrElse(30.0), o.pitch.getOrElse(-10.0))) { look =>
+          if (look.length == 0) throw InputError("--look 0,0,0: has no direction; give another one")
+          VoxelView.angles(look)
+        }
+        val view = VoxelView(o.eye.getOrElse(standing(world)), yaw, pitch, focal)
+        view.camera(config)
+        Seq(view)
+    }
+    VoxelScene(config, assets, world, views)
+  }
+
+  /** Eyes of a person in the middle of the world, on its highest block there. */
+  private def standing(world: VoxelWorld): Vector3d = {
+    val (x, y) = (world.size.x / 2, world.size.y / 2)
+    new Vector3d(x + 0.5, y + 0.5, world.surface(x, y) + 2.6)
+  }
+
+  /** Views that the hardware takes, or InputError naming the line. */
+  private def poses(file: String, text: String, focal: Double, config: VoxelConfig): Seq[VoxelView] = {
+    val views = for ((line, i) <- text.linesIterator.toSeq.zipWithIndex if line.trim.nonEmpty) yield {
+      line.trim.split("\\s+").map(_.toDoubleOption.filter(_.isFinite)) match {
+        case Array(Some(x), Some(y), Some(z), Some(yaw), Some(pitch)) =>
+          val view = VoxelView(new Vector3d(x, y, z), yaw, pitch, focal)
+          try view.camera(config)
+          catch { case InputError(message) => throw InputError(s"$file:${i + 1}: ${message.stripPrefix("--")}") }
+          view
+        case _ =>
+          throw InputError(s"$file:${i + 1}: '${line.trim}' is no pose; write five numbers x y z yaw pitch")
+      }
+    }
+    if (views.isEmpty) throw InputError(s"$file: has no pose; write lines of x y z yaw pitch")
+    views
+  }
+}

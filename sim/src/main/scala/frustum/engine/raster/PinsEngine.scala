@@ -1,0 +1,61 @@
+package frustum.engine.raster
+
+import frustum.contract.raster.RasterConfig
+import frustum.contract.video.Panel
+import frustum.driver.raster.{Driver, PreparedFrame}
+import frustum.engine.EngineSim
+import spinal.core.sim.SimCompiled
+import java.nio.file.Path
+
+/** The board's top in simulation, at its pins: a host sends the commands by SPI and honours `cts`, a display controller
+  * with a memory of its own takes what comes, and the picture is read from that memory. A frame is sent when the one
+  * before is complete. What the display would not put up with is an error.
+  */
+final class PinsEngine(options: EngineOptions) extends Engine {
+  import options.panel
+
+  def render(frames: Seq[PreparedFrame]): Seq[RenderedFrame] = if (frames.isEmpty) Nil
+  else {
+    val config = frames.head.config
+    EngineSim.run(PinsEngine.compile(config, panel, options.wave), options.wave, options.seed) { dut =>
+      val session = new PinsSession(dut)
+      session.run(PinsEngine.DisplayStartClocks)
+      session.send(frames.head.textures.flatMap(Driver.commands).flatten, wait = true)
+      frames.map { frame =>
+        val bytes  = frame.passes.flatMap(Driver.commands).flatten
+        val clocks = session.frame(bytes, config.width * config.height)
+        session.controller.violations.headOption.foreach(v =>
+          throw new IllegalStateException(s"the ${panel.name} would not put up with this: $v")
+        )
+        RenderedFrame(
+          session.controller.picture(config.width, config.height),
+          clocksAtPins = Some(clocks),
+          busBytes = Some(bytes.length.toLong)
+        )
+      }
+    }
+  }
+}
+
+object PinsEngine {
+
+  /** The display's start, its pauses shortened, is over after so many clocks: frames are not to be charged with it. */
+  val DisplayStartClocks = 10000
+
+  def compile(config: RasterConfig, panel: Panel, wave: Option[Path] = None): SimCompiled[PinsTestbed] =
+    EngineSim.compile(s"Pins_${panel.name}_${EngineSim.nameOf(config)}", wave)(PinsTestbed(config, panel))
+}
+
+/** The board's top at its pins, and its Stream core for the figures that the display's pace hides. Both must draw the
+  * same picture.
+  */
+final class HardwareEngine(options: EngineOptions) extends Engine {
+  def render(frames: Seq[PreparedFrame]): Seq[RenderedFrame] = {
+    val pins = new PinsEngine(options).render(frames)
+    val core = new PipelineEngine(options.copy(wave = None)).render(frames)
+    pins.zip(core).zipWithIndex.map { case ((p, c), i) =>
+      if (!p.image.sameElements(c.image)) throw new IllegalStateException(s"frame $i differs between pins and Stream core")
+      c.copy(image = p.image, clocksAtPins = p.clocksAtPins)
+    }
+  }
+}

@@ -1,0 +1,81 @@
+package frustum.fit
+
+import frustum.contract.InputError
+import frustum.driver.scene.Camera
+import frustum.files.InputFile
+import java.nio.file.Path
+import org.joml.Vector3d
+import scala.math.{acos, pow, toDegrees, toRadians}
+import scala.util.{Random, Try}
+
+/** Where a scene is seen from, relative to its own camera: the eye is turned about the point it looks at.
+  *
+  * @param turn      degrees about the camera's up
+  * @param elevation degrees added to the eye's height above the plane at right angles to up; ends 1 degree before straight up and down
+  * @param distance  factor of the distance
+  */
+final case class View(turn: Double, elevation: Double, distance: Double) {
+  def camera(own: Camera): Camera = {
+    val up     = new Vector3d(own.up).normalize
+    val offset = new Vector3d(own.eye).sub(own.at)
+    val height = 90 - toDegrees(acos((offset.dot(up) / offset.length).max(-1).min(1)))
+    val raised = (height + elevation).max(-89).min(89) - height
+    val right  = new Vector3d(up).cross(offset).normalize
+    offset.rotateAxis(-toRadians(raised), right.x, right.y, right.z)
+    offset.rotateAxis(toRadians(turn), up.x, up.y, up.z)
+    own.copy(eye = new Vector3d(own.at).fma(distance, offset))
+  }
+  override def toString = f"turn $turn%.2f, elevation $elevation%.2f, distance $distance%.3f"
+}
+
+/** The views that a configuration has to be good for; both ends included. */
+final case class CameraVolume(
+    turn: (Double, Double),
+    elevation: (Double, Double),
+    distance: (Double, Double)
+) {
+  def random(r: Random): View = View(
+    within(turn, r.nextDouble()),
+    within(elevation, r.nextDouble()),
+    distance._1 * pow(distance._2 / distance._1, r.nextDouble())
+  )
+
+  /** A view near by, `reach` of the volume's extent away at most. */
+  def near(v: View, reach: Double, r: Random): View = {
+    def step(range: (Double, Double), at: Double) =
+      (at + (range._2 - range._1) * reach * (2 * r.nextDouble() - 1)).max(range._1).min(range._2)
+    View(step(turn, v.turn), step(elevation, v.elevation), step(distance, v.distance))
+  }
+  private def within(range: (Double, Double), f: Double) = range._1 + f * (range._2 - range._1)
+}
+
+object CameraVolume {
+  val default: CameraVolume = CameraVolume((-30, 30), (-10, 10), (0.9, 1.5))
+
+  /** JSON: `{"turn": [low, high], "elevation": [low, high], "distance": [low, high]}`; what is absent is as by default. */
+  def read(file: Path): CameraVolume = {
+    val json = Try(ujson.read(InputFile.text(file, "give a camera volume")).obj).recover {
+      case e: InputError => throw e
+    }
+      .getOrElse(throw InputError(
+        s"$file: is no JSON object; write {${keys.map(k => s""""$k": [low, high]""").mkString(", ")}}"
+      ))
+    json.keys.find(!keys.contains(_)).foreach(k =>
+      throw InputError(s"$file: there is no '$k'; keys are ${keys.mkString(", ")}")
+    )
+    def range(key: String, otherwise: (Double, Double), least: Double): (Double, Double) =
+      json.get(key).fold(otherwise) { v =>
+        Try((v(0).num, v(1).num)).toOption.filter { case (a, b) =>
+          v.arr.length == 2 && least < a && a <= b && b < 1e6
+        }.getOrElse(
+          throw InputError(s"$file: $key is $v; give [low, high], above $least and in this order")
+        )
+      }
+    CameraVolume(
+      range("turn", default.turn, -1e6),
+      range("elevation", default.elevation, -1e6),
+      range("distance", default.distance, 0)
+    )
+  }
+  private val keys = Seq("turn", "elevation", "distance")
+}

@@ -1,0 +1,20 @@
+package frustum.play
+
+import org.scalatest.funsuite.AnyFunSuite
+
+/** The window itself, on a virtual display. */
+class LiveScreenWindowTest extends AnyFunSuite {
+  test("picture, keys, frame rate and closing") {
+    assume(VirtualDisplay.isThere, "Xvfb is not installed")
+    val said = VirtualDisplay.run("frustum.play.LiveScreenProbe", 60)
+    assert(
+      said.linesIterator.toSeq == Seq(
+        "picture true",
+        "pressed true",
+        "released true",
+        "rate true",
+        "closed true"
+      )
+    )
+  }
+}

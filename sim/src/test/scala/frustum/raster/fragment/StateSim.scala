@@ -1,0 +1,46 @@
+package frustum.raster.fragment
+
+import frustum.contract.raster.{Combine, DepthFunction, RenderState, TexelFormat, TextureRef, Wrap}
+import frustum.raster.store.RenderStateWord
+import spinal.core.sim._
+
+import scala.util.Random
+
+/** Drives and draws lots for render states in tests. */
+object StateSim {
+  def drive(to: RenderStateWord, state: RenderState): Unit = {
+    val texture = state.texture.getOrElse(TextureRef(0, 3, 3, TexelFormat.Rgb565))
+    to.textureBase #= texture.base
+    to.log2Width #= texture.log2Width - 3
+    to.log2Height #= texture.log2Height - 3
+    to.rgba4444 #= texture.format == TexelFormat.Rgba4444
+    to.wrapS #= state.wrapS.code
+    to.wrapT #= state.wrapT.code
+    to.combine #= state.combine.code
+    to.depthFunction #= state.depth.code
+    to.depthWrite #= state.depthWrite
+    to.blend #= state.blend
+    to.alphaRef #= state.alphaRef
+  }
+
+  def random(r: Random, texels: Int = 32768): RenderState = {
+    val log2Width  = 3 + r.nextInt(5)
+    val log2Height = 3 + r.nextInt(5)
+    val free       = (texels - (1 << log2Width + log2Height)) / 64
+    val format     = if (r.nextBoolean()) TexelFormat.Rgb565 else TexelFormat.Rgba4444
+    val texture    = Option.when(free >= 0)(TextureRef(r.nextInt(free + 1), log2Width, log2Height, format))
+    val combines   =
+      if (texture.isEmpty) Seq(Combine.ColorOnly)
+      else Seq(Combine.ColorOnly, Combine.Replace, Combine.Modulate)
+    RenderState(
+      texture,
+      Wrap.all(r.nextInt(3)),
+      Wrap.all(r.nextInt(3)),
+      combines(r.nextInt(combines.length)),
+      DepthFunction.decode(r.nextInt(8)),
+      r.nextInt(4) > 0,
+      r.nextBoolean(),
+      if (r.nextBoolean()) 0 else r.nextInt(32)
+    )
+  }
+}

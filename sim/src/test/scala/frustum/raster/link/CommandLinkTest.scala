@@ -1,0 +1,135 @@
+package frustum.raster.link
+
+import frustum.contract.raster.{Combine, Command, FixedState, RasterConfig, RenderState, StoreLayout, TexelFormat, TextureRef, VertexRanges}
+import frustum.harness.FrustumSim
+import frustum.model.raster.link.{CommandDecoder => DecoderModel, Job, LinkCounters, LinkModel}
+import org.scalatest.funsuite.AnyFunSuite
+import spinal.core.sim._
+
+import scala.util.Random
+
+class CommandLinkTest extends AnyFunSuite {
+  private val small         = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
+  private lazy val compiled = FrustumSim.compile("CommandLink_small")(CommandLinkTop(small, dropWhenFull = false))
+
+  private def run(sim: SimCompiled[CommandLinkTop], config: RasterConfig, stream: Seq[Int], seed: Int, stall: Double): Unit = {
+    val model = new LinkModel(config)
+    model.feed(stream)
+    sim.doSim(s"seed${seed}_stall$stall", seed) { dut =>
+      val clock = dut.clockDomain
+      val sink  = new LinkSink(config, clock, dut.io.texels, dut.io.job, dut.io.jobDone, dut.io.rival, stall)
+      dut.io.bytes.valid #= false
+      sink.start()
+      SimTimeout(10L * (stream.length * 60 + 400000 + model.jobs.length * 20000))
+      clock.forkStimulus(period = 10)
+      clock.waitSampling(4)
+      for (byte <- stream) {
+        while (simRandom.nextDouble() < stall) clock.waitSampling()
+        dut.io.bytes.valid #= true
+        dut.io.bytes.payload #= byte
+        clock.waitSamplingWhere(dut.io.bytes.ready.toBoolean)
+        dut.io.bytes.valid #= false
+      }
+      while (sink.done < model.jobs.length) clock.waitSampling(10)
+      clock.waitSampling(6000)
+      LinkChecks.same(config, model, sink, s"seed $seed, stall $stall")
+      assert(LinkChecks.counters(dut.io.status) == model.counters(sink.done), s"seed $seed, stall $stall")
+    }
+  }
+
+  private def traffic(config: RasterConfig, seed: Int, frames: Int): Seq[Int] = {
+    val t = new LinkTraffic(config, new Random(seed))
+    t.fill() ++ (1 to frames).flatMap(n => t.bytes(t.frame(n), errors = true)) ++ t.bytes(t.frame(99), errors = false)
+  }
+
+  for ((stall, seed) <- Seq((0.0, 1), (0.4, 2), (0.7, 3)))
+    test(s"hardware and model agree on random traffic, stall $stall") {
+      run(compiled, small, traffic(small, seed, 40), seed, stall)
+    }
+
+  test("and for the default sizes") {
+    val config = RasterConfig()
+    val sim    = FrustumSim.compile("CommandLink_default")(CommandLinkTop(config, dropWhenFull = false))
+    run(sim, config, traffic(config, 4, 6), 4, 0.1)
+  }
+
+  test("and for hardware that cannot blend, clamp or write other than RGB565: states that ask for it are refused") {
+    val config = small.copy(fixed = FixedState(mask = 1 << 26 | 5 << 16 | 1 << 15, value = 0))
+    val sim    = FrustumSim.compile("CommandLink_fixed")(CommandLinkTop(config, dropWhenFull = false))
+    run(sim, config, traffic(config, 5, 20), 5, 0.2)
+  }
+
+  test("and for hardware made for one scene: what goes beyond its ranges, state and clear colour is refused") {
+    val config = small.copy(
+      maxVertices = 32,
+      maxTriangles = 16,
+      fixed = FixedState.of(RenderState(Some(TextureRef(0, 5, 5, TexelFormat.Rgb565)), combine = Combine.Replace)),
+      ranges = VertexRanges(position = 8, repeats = 1, ratio = 1),
+      clearColor = Some(0x7e21)
+    )
+    val sim = FrustumSim.compile("CommandLink_scene")(CommandLinkTop(config, dropWhenFull = false))
+    for ((stall, seed) <- Seq((0.0, 6), (0.3, 7))) run(sim, config, traffic(config, seed, 30), seed, stall)
+  }
+
+  test("a byte flipped, lost or added anywhere costs one command at most and is counted") {
+    val t        = new LinkTraffic(small, new Random(5))
+    val commands = Seq(
+      (Command.Begin, Seq(7, 0x1234, 0x0001, 0x0002)),
+      (Command.State, Seq(3, 0x7e7d, 0x7d7e)),
+      (Command.Vertices, 0 +: Seq.fill(2)(t.vertex()).flatten),
+      (Command.Texels, Seq(5, 0x7e00, 0x1111)),
+      (Command.Draw, Seq(2, 0))
+    )
+    val clean  = t.bytes(commands, errors = false)
+    val after  = t.bytes(Seq((Command.Begin, Seq(8, 0, 0, 0)), (Command.Draw, Seq(0, 0))), errors = false)
+    val spoilt = for (at <- clean.indices; kind <- 0 until 4) yield kind match {
+      case 0 => clean.patch(at, Seq(clean(at) ^ (1 << at % 8)), 1)
+      case 1 => clean.patch(at, Nil, 1)
+      case 2 => clean.patch(at, Seq(Seq(0x7e, 0x7d, 0, 0x55)(at % 4)), 0)
+      case 3 => clean.take(at)
+    }
+    for (stream <- spoilt) {
+      val framer = new frustum.model.raster.link.Framer
+      val got    = (stream ++ after).flatMap(framer.take)
+      val lost   = commands.map { case (c, p) => (c.opcode, p) }.diff(got).length
+      val cut    = clean.startsWith(stream) // the host stopped: what it did not send is not lost on the way
+      assert(cut || lost <= 1, s"${stream.mkString(" ")} lost $lost commands")
+      assert(lost == 0 || cut || framer.dropped >= 1, s"${stream.mkString(" ")}: nothing counted")
+      assert(got.takeRight(2) == Seq((Command.Begin.opcode, Seq(8, 0, 0, 0)), (Command.Draw.opcode, Seq(0, 0))))
+    }
+    run(compiled, small, spoilt.flatMap(_ ++ after), 5, 0.0)
+  }
+}
+
+/** Comparisons of what the hardware left behind with the model. */
+object LinkChecks {
+  def counters(s: LinkStatus): LinkCounters = LinkCounters(
+    s.accepted.toInt,
+    s.dropped.toInt,
+    s.verticesRefused.toInt,
+    s.trianglesRefused.toInt,
+    s.incomplete.toInt,
+    s.drawn.toInt
+  )
+
+  def same(config: RasterConfig, model: LinkModel, sink: LinkSink, where: String): Unit = {
+    val layout = StoreLayout(config)
+    assert(sink.jobs.length == model.jobs.length, s"$where: jobs")
+    for (((got, should), i) <- sink.jobs.zip(model.jobs).zipWithIndex) {
+      def head(j: Job) = j.copy(store = IndexedSeq.empty)
+      assert(head(got) == head(should), s"$where: job $i")
+      for (a <- should.store.indices if should.store(a) != DecoderModel.Unwritten)
+        assert(
+          (got.store(a) & mask(layout, a)) == should.store(a),
+          s"$where: job $i, word $a is ${got.store(a).toHexString}, should be ${should.store(a).toHexString}"
+        )
+    }
+    assert(sink.texels.sameElements(model.decoder.texels), s"$where: texels")
+  }
+
+  /** Bits of a store word that mean something. */
+  private def mask(layout: StoreLayout, address: Int): Long =
+    if (address < layout.triangles) if (address % layout.vertexWords == 2) 0xf9ffffffL else 0xffffffffL
+    else if (address < layout.states) if ((address - layout.triangles) % 2 == 0) 0x3fffffffL else 0xf00fffffL
+    else 0xffffffffL
+}
