@@ -1,20 +1,26 @@
 val spinalVersion = "1.14.2"
 
 ThisBuild / organization := "io.github.frustum3d"
-ThisBuild / version      := "0.1.0"
+ThisBuild / version := "0.1.0"
 ThisBuild / scalaVersion := "2.13.18"
-ThisBuild / licenses     := Seq("Apache-2.0" -> url("https://www.apache.org/licenses/LICENSE-2.0"))
-ThisBuild / scalacOptions ++= Seq("-deprecation", "-feature", "-unchecked", "-Xlint:infer-any", "-language:reflectiveCalls")
-ThisBuild / fork           := true
-ThisBuild / connectInput   := false
+ThisBuild / licenses := Seq("Apache-2.0" -> url("https://www.apache.org/licenses/LICENSE-2.0"))
+ThisBuild / scalacOptions ++= Seq(
+  "-deprecation",
+  "-feature",
+  "-unchecked",
+  "-Xlint:infer-any",
+  "-language:reflectiveCalls"
+)
+ThisBuild / fork := true
+ThisBuild / connectInput := false
 ThisBuild / outputStrategy := Some(StdoutOutput)
 
 val spinalCore = "com.github.spinalhdl" %% "spinalhdl-core" % spinalVersion
-val spinalLib  = "com.github.spinalhdl" %% "spinalhdl-lib"  % spinalVersion
+val spinalLib = "com.github.spinalhdl" %% "spinalhdl-lib" % spinalVersion
 val idslPlugin = compilerPlugin("com.github.spinalhdl" %% "spinalhdl-idsl-plugin" % spinalVersion)
 
 val ujson = "com.lihaoyi" %% "ujson" % "4.1.0"
-val joml  = "org.joml"      % "joml"  % "1.10.8"
+val joml = "org.joml" % "joml" % "1.10.8"
 
 /** The idsl plugin names signals; without it the generated Verilog is unreadable, so its absence is an error. */
 val spinal = Seq(
@@ -24,7 +30,7 @@ val spinal = Seq(
 
 /** What users of the library depend on is built for SpinalHDL's users of both Scala versions. */
 val published = Seq(crossScalaVersions := Seq("2.13.18", "2.12.21"))
-val internal  = Seq(publish / skip := true)
+val internal = Seq(publish / skip := true)
 
 /** Formats, bit layouts, command table, programs, declared domains, scene values: plain Scala, no SpinalHDL. */
 lazy val contract = (project in file("hw/contract")).settings(published).settings(name := "frustum-contract")
@@ -50,19 +56,19 @@ lazy val sim = (project in file("sim"))
   .dependsOn(boards, driver)
   .settings(spinal, internal)
   .settings(
-    name             := "frustum-sim",
-    buildInfoKeys    := Seq[BuildInfoKey](version),
+    name := "frustum-sim",
+    buildInfoKeys := Seq[BuildInfoKey](version),
     buildInfoPackage := "frustum",
     libraryDependencies ++= Seq(
       "com.github.spinalhdl" %% "spinalhdl-sim" % spinalVersion,
       joml,
-      "com.github.scopt"     %% "scopt"         % "4.1.0",
-      "me.tongfei"            % "progressbar"   % "0.10.1",
-      "org.knowm.xchart"      % "xchart"        % "3.8.8",
-      "org.scalatest"        %% "scalatest"     % "3.2.20" % Test
+      "com.github.scopt" %% "scopt" % "4.1.0",
+      "me.tongfei" % "progressbar" % "0.10.1",
+      "org.knowm.xchart" % "xchart" % "3.8.8",
+      "org.scalatest" %% "scalatest" % "3.2.20" % Test
     ),
     Compile / run / baseDirectory := (ThisBuild / baseDirectory).value,
-    Test / baseDirectory          := (ThisBuild / baseDirectory).value,
+    Test / baseDirectory := (ThisBuild / baseDirectory).value,
     Test / javaOptions ++= Seq("-Xmx4g"),
     run / javaOptions ++= Seq("-Xmx4g"),
     Test / parallelExecution := false
@@ -81,7 +87,8 @@ writeClasspath := {
 }
 
 /** Every command of the workbench by its name in sbt's own shell; alone on the command line ./sbt takes them itself. */
-val commandNames = "demo render verilog bitstream bench pong voxel play budgets chart stability fit mutate".split(' ').toSeq
+val commandNames =
+  "demo render verilog bitstream bench pong voxel play budgets chart stability fit mutate".split(' ').toSeq
 Global / commands ++= commandNames.map { name =>
   Command.args(name, "<args>") { (state, args) =>
     val quoted = args.map(a => if (a.exists(_.isWhitespace)) "\"" + a + "\"" else a)

@@ -6,13 +6,16 @@ import scala.sys.process._
 /** What the launcher finds a command to need, with `install` replaced by a line that names the packages. */
 class SetupTest extends AnyFunSuite {
   private def wants(line: String, path: String = "/nonexistent"): String = {
-    val script = s"""set -u; . project/setup.sh; install() { echo "$$*"; }; command() { PATH='$path' builtin command "$$@"; }
+    val script =
+      s"""set -u; . project/setup.sh; install() { echo "$$*"; }; command() { PATH='$path' builtin command "$$@"; }
       |python3() { return 1; }; ldconfig() { :; }; grep() { return 1; }; id() { echo 0; }; prepare '$line'""".stripMargin
     Seq("bash", "-c", script).!!.trim
   }
 
   test("help and elaboration need nothing") {
-    for (line <- Seq("render --help", "bitstream --help", "verilog icebreaker-raster", "hw/publishLocal", "scalafmtAll"))
+    for (
+      line <- Seq("render --help", "bitstream --help", "verilog icebreaker-raster", "hw/publishLocal", "scalafmtAll")
+    )
       assert(wants(line) == "", line)
   }
 
@@ -33,8 +36,8 @@ class SetupTest extends AnyFunSuite {
 
   test("without root the message names the package, in one line, with exit code 2") {
     val script = ". project/setup.sh; id() { echo 1000; }; apt-get() { :; }; need frustum-no-such-program verilator"
-    val lines  = collection.mutable.Buffer[String]()
-    val code   = Seq("bash", "-c", script).!(ProcessLogger(lines += _, lines += _))
+    val lines = collection.mutable.Buffer[String]()
+    val code = Seq("bash", "-c", script).!(ProcessLogger(lines += _, lines += _))
     assert(code == 2)
     assert(lines.size == 1 && lines.head.startsWith("error: ") && lines.head.contains("apt-get install verilator"))
   }

@@ -20,7 +20,7 @@ final case class BoardTop(
     otherClocks: Seq[BoardClock],
     component: Tech => Component
 ) {
-  def targetMHz: BigDecimal   = core.mhz
+  def targetMHz: BigDecimal = core.mhz
   def clocks: Seq[BoardClock] = core +: otherClocks
 
   /** Verilog in one file `<name>.v`, memory contents inline, so that the file is all a tool needs. */

@@ -17,9 +17,9 @@ object Part {
   case object Ice40Up5k extends Part("iCE40UP5K", "sg48", Tech.Ice40, 30 * 4) {
     val figures = Seq(
       "logicCells" -> Seq("ICESTORM_LC"),
-      "ebr"        -> Seq("ICESTORM_RAM"),
-      "spram"      -> Seq("ICESTORM_SPRAM"),
-      "dsp"        -> Seq("ICESTORM_DSP")
+      "ebr" -> Seq("ICESTORM_RAM"),
+      "spram" -> Seq("ICESTORM_SPRAM"),
+      "dsp" -> Seq("ICESTORM_DSP")
     )
   }
 
@@ -30,11 +30,11 @@ object Part {
   sealed abstract class Artix7(name: String, blockRams: Int)
       extends Part(name, s"${name.toLowerCase}csg324-1", Tech.Artix7, blockRams * 36) {
     val figures = Seq(
-      "luts"   -> Seq("SLICE_LUTX"),
-      "ffs"    -> Seq("SLICE_FFX"),
+      "luts" -> Seq("SLICE_LUTX"),
+      "ffs" -> Seq("SLICE_FFX"),
       "bram18" -> Seq("RAMB18E1_RAMB18E1"),
       "bram36" -> Seq("RAMB36E1_RAMB36E1", "RAMBFIFO36E1_RAMBFIFO36E1"),
-      "dsp48"  -> Seq("DSP48E1_DSP48E1")
+      "dsp48" -> Seq("DSP48E1_DSP48E1")
     )
   }
 
@@ -49,8 +49,8 @@ object Part {
     */
   case object Ecp5U85 extends Part("LFE5U-85F", "CABGA381", Tech.Generic, 208 * 18) {
     val figures = Seq(
-      "luts"   -> Seq("TRELLIS_COMB"),
-      "ffs"    -> Seq("TRELLIS_FF"),
+      "luts" -> Seq("TRELLIS_COMB"),
+      "ffs" -> Seq("TRELLIS_FF"),
       "dp16kd" -> Seq("DP16KD"),
       "mult18" -> Seq("MULT18X18D")
     )

@@ -13,15 +13,15 @@ case class FunctionUnit(table: FunctionTable, tech: Tech) extends Component {
     val y = out UInt (16 bits)
   }
   private def words(w: Array[Int]) = Mem(Bits(16 bits), w.toSeq.map(B(_, 16 bits)))
-  val bases                        = words(table.base)
-  val slopes                       = words(table.slope)
-  private val index                = io.x(15 downto 8)
-  val line                         = Multiplier16(tech, signedA = false, signedB = false, add = true, subtract = !table.rises)
+  val bases = words(table.base)
+  val slopes = words(table.slope)
+  private val index = io.x(15 downto 8)
+  val line = Multiplier16(tech, signedA = false, signedB = false, add = true, subtract = !table.rises)
   line.io.enable := True
-  line.io.a      := slopes.readSync(index)
-  line.io.b      := RegNext(io.x(7 downto 0)) ## B(0, 8 bits)
+  line.io.a := slopes.readSync(index)
+  line.io.b := RegNext(io.x(7 downto 0)) ## B(0, 8 bits)
   line.io.addend := bases.readSync(index) ## B(0x8000, 16 bits)
-  io.y           := line.io.product(31 downto 16).asUInt
+  io.y := line.io.product(31 downto 16).asUInt
 }
 
 object FunctionUnit {

@@ -14,8 +14,8 @@ class LockstepPipeline(stages: Int) extends Area {
   val nodes = List.fill(stages + 1)(Node())
 
   def apply(i: Int): Node = nodes(i)
-  def enable: Bool        = nodes.head.isReady
-  def anyValid: Bool      = nodes.tail.map(_.isValid).reduce(_ || _)
+  def enable: Bool = nodes.head.isReady
+  def anyValid: Bool = nodes.tail.map(_.isValid).reduce(_ || _)
 
   /** To be called when all nodes are described. */
   def build(): Unit =

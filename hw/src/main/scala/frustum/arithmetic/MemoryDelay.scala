@@ -8,8 +8,8 @@ object MemoryDelay {
     require(clocks >= 2, s"MemoryDelay: $clocks clocks, at least 2")
     new Composite(that, "delayed") {
       private val bits = log2Up(clocks + 1)
-      val memory       = Mem(Bits(that.getBitsWidth bits), 1 << bits).initBigInt(Seq.fill(1 << bits)(BigInt(0)))
-      val at           = Reg(UInt(bits bits)) init 0
+      val memory = Mem(Bits(that.getBitsWidth bits), 1 << bits).initBigInt(Seq.fill(1 << bits)(BigInt(0)))
+      val at = Reg(UInt(bits bits)) init 0
       at := at + 1
       memory.write(at, that.asBits)
       // A word is read, into the memory's register, before its place is written again.

@@ -26,10 +26,10 @@ case class Multiplier16(
 ) extends Component {
   require(add || !subtract, s"Multiplier16: subtract $subtract without add")
   val io = new Bundle {
-    val enable  = in Bool ()
-    val a, b    = in Bits (16 bits)
-    val addend  = add generate in(Bits(32 bits))
-    val holdA   = hold generate in(Bool())
+    val enable = in Bool ()
+    val a, b = in Bits (16 bits)
+    val addend = add generate in(Bits(32 bits))
+    val holdA = hold generate in(Bool())
     val product = out Bits (32 bits)
   }
   private val holdA = if (hold) io.holdA else False
@@ -38,22 +38,22 @@ case class Multiplier16(
     case Tech.Ice40 =>
       val mac = Mac16(signedA, signedB, add)
       mac.io.CE := io.enable
-      mac.io.A  := io.a
-      mac.io.B  := io.b
-      mac.io.C  := (if (add) io.addend(31 downto 16) else B(0, 16 bits))
-      mac.io.D  := (if (add) io.addend(15 downto 0) else B(0, 16 bits))
+      mac.io.A := io.a
+      mac.io.B := io.b
+      mac.io.C := (if (add) io.addend(31 downto 16) else B(0, 16 bits))
+      mac.io.D := (if (add) io.addend(15 downto 0) else B(0, 16 bits))
       mac.idle(besides = mac.io.AHOLD, mac.io.ADDSUBTOP, mac.io.ADDSUBBOT)
-      mac.io.AHOLD     := holdA
+      mac.io.AHOLD := holdA
       mac.io.ADDSUBTOP := Bool(subtract)
       mac.io.ADDSUBBOT := Bool(subtract)
-      io.product       := mac.io.O
+      io.product := mac.io.O
     case _: Tech.Inferred =>
       def extended(v: Bits, signed: Boolean) = if (signed) v.asSInt.resize(17) else v.asUInt.resize(17).asSInt
-      val a                                  = RegNextWhen(io.a, io.enable && !holdA)
-      val b                                  = RegNextWhen(io.b, io.enable)
-      val product                            = (extended(a, signedA) * extended(b, signedB)).resize(32)
-      def addend                             = RegNextWhen(io.addend, io.enable).asSInt
-      val sum                                = if (subtract) addend - product else if (add) product + addend else product
+      val a = RegNextWhen(io.a, io.enable && !holdA)
+      val b = RegNextWhen(io.b, io.enable)
+      val product = (extended(a, signedA) * extended(b, signedB)).resize(32)
+      def addend = RegNextWhen(io.addend, io.enable).asSInt
+      val sum = if (subtract) addend - product else if (add) product + addend else product
       io.product := RegNextWhen(sum.asBits, io.enable)
   }
 }

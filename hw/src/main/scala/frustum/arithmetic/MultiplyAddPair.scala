@@ -8,8 +8,8 @@ import spinal.core._
   */
 case class MultiplyAddPair(tech: Tech) extends Component {
   val io = new Bundle {
-    val a      = in Vec (SInt(8 bits), 2)
-    val b      = in Vec (UInt(8 bits), 2)
+    val a = in Vec (SInt(8 bits), 2)
+    val b = in Vec (UInt(8 bits), 2)
     val addend = in Vec (UInt(16 bits), 2)
     val result = out Vec (UInt(16 bits), 2)
   }
@@ -19,10 +19,10 @@ case class MultiplyAddPair(tech: Tech) extends Component {
       val mac = Mac16(signedA = true, signedB = false, add = true, pair = true)
       mac.idle()
       mac.io.CE := True
-      mac.io.A  := io.a.asBits
-      mac.io.B  := io.b.asBits
-      mac.io.C  := io.addend(1).asBits
-      mac.io.D  := io.addend(0).asBits
+      mac.io.A := io.a.asBits
+      mac.io.B := io.b.asBits
+      mac.io.C := io.addend(1).asBits
+      mac.io.D := io.addend(0).asBits
       io.result.assignFromBits(mac.io.O)
     case _: Tech.Inferred =>
       for (i <- 0 to 1) {

@@ -9,21 +9,21 @@ import spinal.core._
 case class WideMultiplier(tech: Tech, widthA: Int) extends Component {
   require(widthA >= 2 && widthA <= 31, s"WideMultiplier: a of $widthA bits, from 2 to 31")
   val io = new Bundle {
-    val a       = in SInt (widthA bits)
-    val b       = in UInt (16 bits)
+    val a = in SInt (widthA bits)
+    val b = in UInt (16 bits)
     val product = out SInt (widthA + 16 bits)
   }
   private def part(a: Bits, signed: Boolean) = {
     val m = Multiplier16(tech, signedA = signed, signedB = false)
     m.io.enable := True
-    m.io.a      := a
-    m.io.b      := io.b.asBits
+    m.io.a := a
+    m.io.b := io.b.asBits
     m.io.product
   }
   if (widthA <= 16) io.product := part(io.a.resize(16).asBits, signed = true).asSInt.resized
   else {
     val high = part((io.a >> 15).resize(16).asBits, signed = true).asSInt
-    val low  = part(io.a(14 downto 0).asBits.resized, signed = false)
+    val low = part(io.a(14 downto 0).asBits.resized, signed = false)
     io.product := ((high + (B(
       0,
       1 bits

@@ -16,18 +16,18 @@ case class CommitFifo(depth: Int = 256, margin: Int = 16) extends Component {
   require(isPow2(depth) && depth >= 8, s"CommitFifo: depth $depth is not a power of two from 8 up")
   require(margin < depth, s"CommitFifo: margin $margin is not below the depth $depth")
   val io = new Bundle {
-    val push     = slave(Flow(Bits(16 bits)))
-    val commit   = in Bool ()
+    val push = slave(Flow(Bits(16 bits)))
+    val commit = in Bool ()
     val rollback = in Bool ()
-    val full     = out Bool ()
-    val room     = out Bool ()
-    val pop      = master(Stream(Bits(16 bits)))
+    val full = out Bool ()
+    val room = out Bool ()
+    val pop = master(Stream(Bits(16 bits)))
   }
 
-  val memory    = Mem(Bits(16 bits), depth)
-  val written   = Reg(UInt(log2Up(depth) bits)) init 0 // next word of the speculative part
+  val memory = Mem(Bits(16 bits), depth)
+  val written = Reg(UInt(log2Up(depth) bits)) init 0 // next word of the speculative part
   val committed = Reg(UInt(log2Up(depth) bits)) init 0 // end of the visible part
-  val fetched   = Reg(UInt(log2Up(depth) bits)) init 0 // next word to read
+  val fetched = Reg(UInt(log2Up(depth) bits)) init 0 // next word to read
 
   val free = fetched - written - 1
   io.full := RegNext(free <= 1) init False // late, so there is room for one more
@@ -37,7 +37,7 @@ case class CommitFifo(depth: Int = 256, margin: Int = 16) extends Component {
   // A word is read a clock after its commit at the earliest, hence never in the clock in which it is written.
   val pushing = io.push.valid && !io.full
   memory.write(written, io.push.payload, pushing)
-  when(pushing)(written     := written + 1)
+  when(pushing)(written := written + 1)
   when(io.commit)(committed := written)
   when(io.rollback)(written := committed)
 

@@ -6,7 +6,7 @@ import spinal.lib._
 
 /** The host's side of the command port. `cs` is active low. */
 case class CommandPins() extends Bundle with IMasterSlave {
-  val sck, mosi, cs, miso       = Bool()
+  val sck, mosi, cs, miso = Bool()
   override def asMaster(): Unit = { out(sck, mosi, cs); in(miso) }
 }
 
@@ -22,8 +22,8 @@ case class CommandPins() extends Bundle with IMasterSlave {
   */
 case class SpiSlave() extends Component {
   val io = new Bundle {
-    val pins   = slave(CommandPins())
-    val bytes  = master(Stream(Bits(8 bits)))
+    val pins = slave(CommandPins())
+    val bytes = master(Stream(Bits(8 bits)))
     val status = in(LinkStatus())
   }
 
@@ -35,12 +35,12 @@ case class SpiSlave() extends Component {
 
   val rising = new ClockingArea(SpiSlave.domain(io.pins, RISING)) {
     val shift = Reg(Bits(7 bits))
-    val bit   = Reg(UInt(3 bits)) init 0
+    val bit = Reg(UInt(3 bits)) init 0
     val index = Reg(UInt(3 bits)) init 0 // bytes of this frame, modulo 8
-    val ended = Reg(Bool()) init False   // with this edge a byte ended
-    val first = Reg(Bool()) init False   // the last byte that ended was the frame's first, or any 8th after it
+    val ended = Reg(Bool()) init False // with this edge a byte ended
+    val first = Reg(Bool()) init False // the last byte that ended was the frame's first, or any 8th after it
     shift := shift(5 downto 0) ## io.pins.mosi
-    bit   := bit + 1
+    bit := bit + 1
     ended := bit === 7
     when(bit === 7) {
       index := index + 1
@@ -49,27 +49,27 @@ case class SpiSlave() extends Component {
   }
   // Not touched by `cs`: a byte stays valid after the frame ends.
   val held = new ClockingArea(ClockDomain(io.pins.sck, config = ClockDomainConfig(resetKind = BOOT))) {
-    val byte   = Reg(Bits(8 bits))
+    val byte = Reg(Bits(8 bits))
     val toggle = Reg(Bool()) init False
     when(rising.bit === 7) {
-      byte   := rising.shift ## io.pins.mosi
+      byte := rising.shift ## io.pins.mosi
       toggle := !toggle
     }
   }
   val falling = new ClockingArea(SpiSlave.domain(io.pins, FALLING)) {
     val shift = Reg(Bits(8 bits)) init LinkStatus.Magic
-    val next  = Mux(rising.first, B(LinkStatus.Version, 8 bits), statusByte.addTag(crossClockDomain))
+    val next = Mux(rising.first, B(LinkStatus.Version, 8 bits), statusByte.addTag(crossClockDomain))
     // Nothing is prepared while the first byte comes, so the second byte of the answer is a constant.
     shift := Mux(rising.ended, next, shift |<< 1)
   }
   io.pins.miso := falling.shift.msb
 
   // Without reset: after a reset of the core alone, the toggle must not look like a byte.
-  val toggle  = BufferCC(held.toggle, bufferDepth = Some(2))
+  val toggle = BufferCC(held.toggle, bufferDepth = Some(2))
   val arrived = toggle =/= RegNext(toggle)
-  val byte    = RegNextWhen(held.byte.addTag(crossClockDomain), arrived)
-  val valid   = RegInit(False) setWhen arrived clearWhen (io.bytes.ready && !arrived)
-  io.bytes.valid   := valid
+  val byte = RegNextWhen(held.byte.addTag(crossClockDomain), arrived)
+  val valid = RegInit(False) setWhen arrived clearWhen (io.bytes.ready && !arrived)
+  io.bytes.valid := valid
   io.bytes.payload := byte
 
   // When byte n has arrived, byte n + 1 of the answer is on the wire, n + 2 is prepared, and `index` is n + 1.

@@ -7,7 +7,7 @@ import spinal.core._
   */
 case class Artix7ClockDivider(tech: Tech) extends Component {
   val io = new Bundle {
-    val clockIn  = in Bool ()
+    val clockIn = in Bool ()
     val clockOut = out Bool ()
   }
   tech match {

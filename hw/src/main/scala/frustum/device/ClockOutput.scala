@@ -10,17 +10,17 @@ import spinal.core._
 case class ClockOutput(tech: Tech, gated: Boolean = false) extends Component {
   val io = new Bundle {
     val enable = gated generate in(Bool())
-    val pin    = out Bool ()
+    val pin = out Bool ()
   }
   private val on = if (gated) io.enable else True
-  val now        = ClockDomain.current.readClockWire
+  val now = ClockDomain.current.readClockWire
   tech match {
     case Tech.Ice40 =>
       val cell = Ice40DoubleRateOutput()
       cell.io.OUTPUTCLK := now
-      cell.io.DOUT0     := False
-      cell.io.DOUT1     := on
-      io.pin            := cell.io.PACKAGEPIN
+      cell.io.DOUT0 := False
+      cell.io.DOUT1 := on
+      io.pin := cell.io.PACKAGEPIN
     case _: Tech.Inferred => io.pin := (if (gated) !now && on else !now)
   }
 }
@@ -30,8 +30,8 @@ case class Ice40DoubleRateOutput() extends BlackBox {
   setDefinitionName("SB_IO")
   addGeneric("PIN_TYPE", B"010001")
   val io = new Bundle {
-    val PACKAGEPIN   = out Bool ()
-    val OUTPUTCLK    = in Bool ()
+    val PACKAGEPIN = out Bool ()
+    val OUTPUTCLK = in Bool ()
     val DOUT0, DOUT1 = in Bool ()
   }
   io.PACKAGEPIN.setName("PACKAGE_PIN")

@@ -8,8 +8,8 @@ import spinal.core._
 case class ComplementingAdder(width: Int, tech: Tech) extends Component {
   val io = new Bundle {
     val complement = in Bool ()
-    val a, b       = in SInt (width bits)
-    val result     = out SInt (width bits)
+    val a, b = in SInt (width bits)
+    val result = out SInt (width bits)
   }
 
   tech match {

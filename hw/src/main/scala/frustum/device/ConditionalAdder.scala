@@ -9,8 +9,8 @@ import spinal.core._
 case class ConditionalAdder(width: Int, tech: Tech) extends Component {
   val io = new Bundle {
     val condition = in Bool ()
-    val a, b      = in UInt (width bits)
-    val result    = out UInt (width bits)
+    val a, b = in UInt (width bits)
+    val result = out UInt (width bits)
   }
 
   tech match {
@@ -26,7 +26,7 @@ case class LogicCell(init: Int) extends BlackBox {
   addGeneric("LUT_INIT", B(init, 16 bits))
   val io = new Bundle {
     val I0, I1, I2, I3 = in Bool ()
-    val O              = out Bool ()
+    val O = out Bool ()
   }
   noIoPrefix()
 }
@@ -65,7 +65,7 @@ case class CarryCell() extends BlackBox {
   setDefinitionName("SB_CARRY")
   val io = new Bundle {
     val I0, I1, CI = in Bool ()
-    val CO         = out Bool ()
+    val CO = out Bool ()
   }
   noIoPrefix()
 }

@@ -10,19 +10,19 @@ import spinal.core._
   */
 case class Ice40Pll(settings: Ice40PllSettings, tech: Tech) extends Component {
   val io = new Bundle {
-    val clockIn  = in Bool ()
-    val enable   = in Bool ()
+    val clockIn = in Bool ()
+    val enable = in Bool ()
     val clockOut = out Bool ()
-    val locked   = out Bool ()
+    val locked = out Bool ()
   }
   tech match {
     case Tech.Ice40 =>
       val cell = PllPad(settings)
       cell.io.PACKAGEPIN := io.clockIn
-      cell.io.RESETB     := io.enable
-      cell.io.BYPASS     := False
-      io.clockOut        := cell.io.PLLOUTGLOBAL
-      io.locked          := cell.io.LOCK
+      cell.io.RESETB := io.enable
+      cell.io.BYPASS := False
+      io.clockOut := cell.io.PLLOUTGLOBAL
+      io.locked := cell.io.LOCK
     case Tech.Artix7  => SpinalError("Ice40Pll: an Artix-7 has no such PLL; use Artix7ClockDivider")
     case Tech.Generic =>
       io.clockOut := io.clockIn
@@ -44,11 +44,11 @@ case class PllPad(settings: Ice40PllSettings) extends BlackBox {
   addGeneric("DIVQ", B(settings.divq, 3 bits))
   addGeneric("FILTER_RANGE", B(settings.filterRange, 3 bits))
   val io = new Bundle {
-    val PACKAGEPIN   = in Bool ()
-    val RESETB       = in Bool ()
-    val BYPASS       = in Bool ()
+    val PACKAGEPIN = in Bool ()
+    val RESETB = in Bool ()
+    val BYPASS = in Bool ()
     val PLLOUTGLOBAL = out Bool ()
-    val LOCK         = out Bool ()
+    val LOCK = out Bool ()
   }
   noIoPrefix()
 }

@@ -13,9 +13,9 @@ final case class Ice40PllSettings(inputMHz: BigDecimal, divr: Int, divf: Int, di
   require(divf >= 0 && divf <= 127, s"PLL divf $divf is outside 0..127")
   require(divq >= 1 && divq <= 6, s"PLL divq $divq is outside 1..6")
 
-  val detectorMHz: BigDecimal   = inputMHz / (divr + 1)
+  val detectorMHz: BigDecimal = inputMHz / (divr + 1)
   val oscillatorMHz: BigDecimal = detectorMHz * (divf + 1)
-  val outputMHz: BigDecimal     = oscillatorMHz / (1 << divq)
+  val outputMHz: BigDecimal = oscillatorMHz / (1 << divq)
   require(within(detectorMHz, Detector), s"PLL phase detector at $detectorMHz MHz is outside $Detector MHz")
   require(within(oscillatorMHz, Oscillator), s"PLL oscillator at $oscillatorMHz MHz is outside $Oscillator MHz")
   require(within(outputMHz, Output), s"PLL output $outputMHz MHz is outside $Output MHz")
@@ -25,9 +25,9 @@ final case class Ice40PllSettings(inputMHz: BigDecimal, divr: Int, divf: Int, di
 }
 
 object Ice40PllSettings {
-  private val Detector    = (BigDecimal(10), BigDecimal(133))
-  private val Oscillator  = (BigDecimal(533), BigDecimal(1066))
-  private val Output      = (BigDecimal(16), BigDecimal(275))
+  private val Detector = (BigDecimal(10), BigDecimal(133))
+  private val Oscillator = (BigDecimal(533), BigDecimal(1066))
+  private val Output = (BigDecimal(16), BigDecimal(275))
   private val FilterSteps = Seq(17, 26, 44, 66, 101).map(BigDecimal(_))
 
   private def within(x: BigDecimal, range: (BigDecimal, BigDecimal)) = x >= range._1 && x <= range._2
@@ -51,7 +51,7 @@ object Ice40PllSettings {
     candidates.find(_.outputMHz == outputMHz).getOrElse {
       val below = candidates.map(_.outputMHz).filter(_ < outputMHz).maxOption
       val above = candidates.map(_.outputMHz).filter(_ > outputMHz).minOption
-      val near  = (below ++ above).mkString(" or ")
+      val near = (below ++ above).mkString(" or ")
       throw new IllegalArgumentException(
         s"requirement failed: an iCE40 PLL cannot make $outputMHz MHz of $inputMHz MHz; the nearest is $near MHz"
       )

@@ -18,9 +18,10 @@ case class Mac16(signedA: Boolean, signedB: Boolean, add: Boolean, pair: Boolean
   require(add || !pair, "Mac16: a pair of multipliers without add")
   setDefinitionName("SB_MAC16")
   private def bit(on: Boolean) = B(if (on) 1 else 0, 1 bits)
-  private def output           = B(if (pair) 0 else if (add) 1 else 3, 2 bits) // the adder, its register, or the product's
-  private def product          = B(if (pair) 1 else if (add) 2 else 0, 2 bits) // the adder's operand: a product of 8 x 8 or 16 x 16
-  private def carry            = B(if (add && !pair) 2 else 0, 2 bits)         // the lower adder's carry into the upper
+  private def output = B(if (pair) 0 else if (add) 1 else 3, 2 bits) // the adder, its register, or the product's
+  private def product =
+    B(if (pair) 1 else if (add) 2 else 0, 2 bits) // the adder's operand: a product of 8 x 8 or 16 x 16
+  private def carry = B(if (add && !pair) 2 else 0, 2 bits) // the lower adder's carry into the upper
   addGeneric("NEG_TRIGGER", bit(false))
   addGeneric("A_REG", bit(true))
   addGeneric("B_REG", bit(true))
@@ -43,14 +44,14 @@ case class Mac16(signedA: Boolean, signedB: Boolean, add: Boolean, pair: Boolean
   addGeneric("B_SIGNED", bit(signedB))
 
   val io = new Bundle {
-    val CLK, CE                                                      = in Bool ()
-    val A, B, C, D                                                   = in Bits (16 bits)
-    val AHOLD, BHOLD, CHOLD, DHOLD                                   = in Bool ()
-    val IRSTTOP, IRSTBOT, ORSTTOP, ORSTBOT                           = in Bool ()
+    val CLK, CE = in Bool ()
+    val A, B, C, D = in Bits (16 bits)
+    val AHOLD, BHOLD, CHOLD, DHOLD = in Bool ()
+    val IRSTTOP, IRSTBOT, ORSTTOP, ORSTBOT = in Bool ()
     val OLOADTOP, OLOADBOT, ADDSUBTOP, ADDSUBBOT, OHOLDTOP, OHOLDBOT = in Bool ()
-    val CI, ACCUMCI, SIGNEXTIN                                       = in Bool ()
-    val O                                                            = out Bits (32 bits)
-    val CO, ACCUMCO, SIGNEXTOUT                                      = out Bool ()
+    val CI, ACCUMCI, SIGNEXTIN = in Bool ()
+    val O = out Bits (32 bits)
+    val CO, ACCUMCO, SIGNEXTOUT = out Bool ()
   }
   noIoPrefix()
   mapCurrentClockDomain(io.CLK)

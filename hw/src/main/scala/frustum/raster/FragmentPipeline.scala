@@ -23,27 +23,27 @@ import spinal.lib._
   */
 case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component {
   val io = new Bundle {
-    val up     = slave(Stream(InterpolatedFragment(config)))
-    val state  = in(RenderStateWord())
-    val busy   = out Bool ()
-    val start  = slave(Stream(FrameStart()))
-    val tile   = slave(Stream(TilePosition()))
+    val up = slave(Stream(InterpolatedFragment(config)))
+    val state = in(RenderStateWord())
+    val busy = out Bool ()
+    val start = slave(Stream(FrameStart()))
+    val tile = slave(Stream(TilePosition()))
     val texels = slave(Stream(TexelWrite()))
     val pixels = master(Stream(ResolvedPixel(config)))
   }
 
-  private val isLate   = LateDivide.suits(config)
-  val lateDivide       = isLate generate LateDivide(config, tech)
-  val divide           = !isLate generate PerspectiveDivide(tech)
+  private val isLate = LateDivide.suits(config)
+  val lateDivide = isLate generate LateDivide(config, tech)
+  val divide = !isLate generate PerspectiveDivide(tech)
   private def divideIo = if (isLate) lateDivide.io else divide.io
-  val texture          = TextureUnit(config, tech)
-  val waiting          = AttributeMemory(config)
-  val combine          = Combine(config, tech)
-  val lock             = Interlock(config)
-  val alpha            = AlphaStage(config)
-  val depth            = DepthStage(config)
-  val blend            = Blend(config, tech)
-  val resolver         = Resolver(config)
+  val texture = TextureUnit(config, tech)
+  val waiting = AttributeMemory(config)
+  val combine = Combine(config, tech)
+  val lock = Interlock(config)
+  val alpha = AlphaStage(config)
+  val depth = DepthStage(config)
+  val blend = Blend(config, tech)
+  val resolver = Resolver(config)
 
   divideIo.up << io.up.translateWith {
     val coordinate = ProjectiveCoordinate()
@@ -56,7 +56,7 @@ case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component 
 
   combine.io.up.arbitrationFrom(texture.io.down)
   combine.io.up.payload.attributes := waiting.io.attributes
-  combine.io.up.payload.texel      := texture.io.down.payload
+  combine.io.up.payload.texel := texture.io.down.payload
 
   lock.io.up << combine.io.down
   waiting.io.fetchDepth := lock.io.down.valid
@@ -83,7 +83,7 @@ case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component 
   resolver.io.tile << io.tile
   resolver.io.tileEnd << blend.io.tileEnd
   resolver.io.drawing := io.busy
-  resolver.io.color   := blend.io.color
+  resolver.io.color := blend.io.color
   blend.io.clearColor := resolver.io.clearColor
   for (clear <- Seq(lock.io.clear, depth.io.clear, blend.io.clear)) clear.assignAllByName(resolver.io.clear)
   io.pixels << resolver.io.pixels

@@ -20,9 +20,10 @@ import spinal.lib._
   * @param slots        triangles kept set up from tile to tile, see [[frustum.raster.setup.TriangleSetup]]
   * @param dropWhenFull see [[frustum.raster.link.Framer]]: true behind a source that cannot wait, such as an SPI slave
   */
-case class RasterPipeline(config: RasterConfig, slots: Int = 6, dropWhenFull: Boolean = true, tech: Tech) extends Component {
+case class RasterPipeline(config: RasterConfig, slots: Int = 6, dropWhenFull: Boolean = true, tech: Tech)
+    extends Component {
   val io = new Bundle {
-    val bytes  = slave(Stream(Bits(8 bits)))
+    val bytes = slave(Stream(Bits(8 bits)))
     val pixels = master(Stream(ResolvedPixel(config)))
     val status = out(LinkStatus())
 
@@ -32,10 +33,10 @@ case class RasterPipeline(config: RasterConfig, slots: Int = 6, dropWhenFull: Bo
     /** A frame is being drawn; low for a clock at least between frames. Its last pixels may follow. */
     val drawing = out Bool ()
   }
-  val link       = CommandLink(config, dropWhenFull = dropWhenFull)
-  val store      = Store(StoreLayout(config), clients = 4, tech)
+  val link = CommandLink(config, dropWhenFull = dropWhenFull)
+  val store = Store(StoreLayout(config), clients = 4, tech)
   val rasterizer = Rasterizer(config, slots, tech)
-  val fragments  = FragmentPipeline(config, tech)
+  val fragments = FragmentPipeline(config, tech)
 
   link.io.bytes << io.bytes
   (rasterizer.io.stores :+ link.io.store).zip(store.io.clients).foreach { case (client, port) => client <> port }
@@ -43,23 +44,23 @@ case class RasterPipeline(config: RasterConfig, slots: Int = 6, dropWhenFull: Bo
   // The resolver takes a tile's position when the tile is drawn; the rasterizer goes on to the next long before.
   rasterizer.io.tile.m2sPipe().m2sPipe() >> fragments.io.tile
   rasterizer.io.down >> fragments.io.up
-  fragments.io.state     := rasterizer.io.state
+  fragments.io.state := rasterizer.io.state
   rasterizer.io.draining := fragments.io.busy
   fragments.io.pixels >> io.pixels
 
   // A frame starts in the tile memories, then in the rasterizer, which gives it back when it is drawn. It waits here, so
   // that the decoder can go on with the next.
-  val job     = link.io.job.halfPipe()
+  val job = link.io.job.halfPipe()
   val started = RegInit(False) setWhen fragments.io.start.fire clearWhen job.fire
-  fragments.io.start.valid      := job.valid && !started
+  fragments.io.start.valid := job.valid && !started
   fragments.io.start.clearColor := job.clearColor
-  rasterizer.io.frame.valid     := job.valid && started
-  rasterizer.io.frame.payload   := job.payload
-  job.ready                     := rasterizer.io.frame.ready
-  link.io.jobDone               := job.fire
+  rasterizer.io.frame.valid := job.valid && started
+  rasterizer.io.frame.payload := job.payload
+  job.ready := rasterizer.io.frame.ready
+  link.io.jobDone := job.fire
 
-  io.status  := link.io.status
-  io.setUp   := rasterizer.io.setUp
-  io.moved   := rasterizer.io.moved
+  io.status := link.io.status
+  io.setUp := rasterizer.io.setUp
+  io.moved := rasterizer.io.moved
   io.drawing := job.valid
 }

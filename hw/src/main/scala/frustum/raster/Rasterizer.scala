@@ -17,22 +17,22 @@ import spinal.lib._
   */
 case class Rasterizer(config: RasterConfig, slots: Int, tech: Tech) extends Component {
   val layout = StoreLayout(config)
-  val io     = new Bundle {
+  val io = new Bundle {
     val frame = slave Stream (FrameJob(config))
 
     /** Clients of the scene store, the most urgent first: set-up, render state, sequencer. */
-    val stores       = Vec(master(StoreBus(layout)), 3)
-    val tile         = master Stream (TilePosition())
-    val state        = out(RenderStateWord())
-    val draining     = in Bool ()  // fragments in flight after `down`
-    val down         = master Stream (InterpolatedFragment(config))
+    val stores = Vec(master(StoreBus(layout)), 3)
+    val tile = master Stream (TilePosition())
+    val state = out(RenderStateWord())
+    val draining = in Bool () // fragments in flight after `down`
+    val down = master Stream (InterpolatedFragment(config))
     val setUp, moved = out Bool () // pulses, see TriangleSetup
   }
-  val sequencer    = TileSequencer(config)
-  val setup        = TriangleSetup(config, slots, tech)
-  val loader       = RenderStateLoader(config, slots)
+  val sequencer = TileSequencer(config)
+  val setup = TriangleSetup(config, slots, tech)
+  val loader = RenderStateLoader(config, slots)
   val interpolator = Interpolator(config, slots)
-  val flush        = RegNext(!io.frame.valid, True)
+  val flush = RegNext(!io.frame.valid, True)
 
   sequencer.io.frame << io.frame
   sequencer.io.tile >> io.tile
@@ -49,8 +49,8 @@ case class Rasterizer(config: RasterConfig, slots: Int, tech: Tech) extends Comp
   Seq(setup.io.bank, loader.io.bank).foreach(_ := io.frame.bank)
   Seq(setup.io.flush, loader.io.flush).foreach(_ := flush)
   sequencer.io.drained := RegNext(!setup.io.busy && !interpolator.io.busy && !io.draining)
-  loader.io.busy       := interpolator.io.busy || io.draining
-  io.state             := loader.io.current
-  io.setUp             := setup.io.setUp
-  io.moved             := setup.io.moved
+  loader.io.busy := interpolator.io.busy || io.draining
+  io.state := loader.io.current
+  io.setUp := setup.io.setUp
+  io.moved := setup.io.moved
 }

@@ -6,7 +6,7 @@ import spinal.lib._
 
 /** A byte for the display, `data` telling it from a command. */
 case class DisplayByte() extends Bundle {
-  val data  = Bool()
+  val data = Bool()
   val value = Bits(8 bits)
 }
 
@@ -19,14 +19,14 @@ case class DisplayByte() extends Bundle {
 case class ByteShifter(clocksPerBit: Int, tech: Tech) extends Component {
   require(clocksPerBit >= 1 && isPow2(clocksPerBit), s"ByteShifter: $clocksPerBit clocks a bit are not 1, 2, 4, 8 ...")
   val io = new Bundle {
-    val bytes             = slave(Stream(DisplayByte()))
+    val bytes = slave(Stream(DisplayByte()))
     val sck, mosi, dc, cs = out Bool ()
   }
   val phaseBits = log2Up(clocksPerBit)
-  val count     = RegInit(U(0, 3 + phaseBits bits))
-  val active    = RegInit(False)
-  val shift     = Reg(Bits(8 bits))
-  val data      = Reg(Bool())
+  val count = RegInit(U(0, 3 + phaseBits bits))
+  val active = RegInit(False)
+  val shift = Reg(Bits(8 bits))
+  val data = Reg(Bool())
 
   io.bytes.ready := !active || count.andR
   when(active) {
@@ -36,7 +36,7 @@ case class ByteShifter(clocksPerBit: Int, tech: Tech) extends Component {
   when(io.bytes.ready)(active := io.bytes.valid)
   when(io.bytes.fire) {
     shift := io.bytes.value
-    data  := io.bytes.data
+    data := io.bytes.data
   }
   io.sck := (if (phaseBits > 0) count(phaseBits - 1)
              else {
@@ -45,6 +45,6 @@ case class ByteShifter(clocksPerBit: Int, tech: Tech) extends Component {
                clock.io.pin
              })
   io.mosi := shift.msb
-  io.dc   := data
-  io.cs   := !active
+  io.dc := data
+  io.cs := !active
 }

@@ -6,19 +6,19 @@ import spinal.lib._
 /** A pixel for a frame buffer: row by row from the top left. */
 case class FramePixel(pixels: Int, bits: Int) extends Bundle {
   val address = UInt(log2Up(pixels) bits)
-  val color   = Bits(bits bits)
+  val color = Bits(bits bits)
 }
 
 /** Two pictures: one is written while the other is read, and `swap` exchanges them in the next clock. A read takes three clocks. */
 case class DoubleFrameBuffer(pixels: Int, bits: Int) extends Component {
   val io = new Bundle {
-    val write   = slave(Flow(FramePixel(pixels, bits)))
+    val write = slave(Flow(FramePixel(pixels, bits)))
     val address = in UInt (log2Up(pixels) bits)
-    val color   = out Bits (bits bits)
-    val swap    = in Bool ()
+    val color = out Bits (bits bits)
+    val swap = in Bool ()
   }
-  val front                                     = RegInit(False) toggleWhen io.swap
-  val memory                                    = Mem(Bits(bits bits), 2 * pixels)
+  val front = RegInit(False) toggleWhen io.swap
+  val memory = Mem(Bits(bits bits), 2 * pixels)
   private def place(upper: Bool, address: UInt) =
     Mux(upper, address.resize(log2Up(2 * pixels)) + pixels, address.resize(log2Up(2 * pixels)))
 

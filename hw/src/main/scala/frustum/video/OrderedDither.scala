@@ -9,11 +9,11 @@ import spinal.lib.graphic.{Rgb, RgbConfig}
   */
 case class OrderedDither(format: ColorFormat) extends Component {
   val io = new Bundle {
-    val rgb   = in(Rgb(RgbConfig(8, 8, 8)))
-    val x, y  = in UInt (2 bits) // the pixel's position modulo 4
-    val red   = out UInt (format.red bits)
+    val rgb = in(Rgb(RgbConfig(8, 8, 8)))
+    val x, y = in UInt (2 bits) // the pixel's position modulo 4
+    val red = out UInt (format.red bits)
     val green = out UInt (format.green bits)
-    val blue  = out UInt (format.blue bits)
+    val blue = out UInt (format.blue bits)
   }
   private def channel(c: UInt, bits: Int): UInt = {
     val lost = 8 - bits
@@ -23,7 +23,7 @@ case class OrderedDither(format: ColorFormat) extends Component {
       (c - (c |>> bits) + thresholds(io.y @@ io.x))(7 downto lost)
     }
   }
-  io.red   := channel(io.rgb.r, format.red)
+  io.red := channel(io.rgb.r, format.red)
   io.green := channel(io.rgb.g, format.green)
-  io.blue  := channel(io.rgb.b, format.blue)
+  io.blue := channel(io.rgb.b, format.blue)
 }

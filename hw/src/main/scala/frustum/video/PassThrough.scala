@@ -9,16 +9,16 @@ import spinal.lib._
   */
 case class PassThrough() extends Component {
   val io = new Bundle {
-    val mux               = in Bool ()
+    val mux = in Bool ()
     val sck, mosi, dc, cs = in Bool () // the host's
-    val core              = slave(DisplayPins())
-    val pins              = master(DisplayPins())
+    val core = slave(DisplayPins())
+    val pins = master(DisplayPins())
   }
   io.pins := io.core
   when(io.mux) {
-    io.pins.sck  := io.sck
+    io.pins.sck := io.sck
     io.pins.mosi := io.mosi
-    io.pins.dc   := io.dc
-    io.pins.cs   := io.cs
+    io.pins.dc := io.dc
+    io.pins.cs := io.cs
   }
 }

@@ -14,17 +14,17 @@ import spinal.lib._
 case class PixelScanner(mode: VideoMode) extends Component {
   import mode._
   val io = new Bundle {
-    val x              = out UInt (log2Up(hTotal) bits)
-    val y              = out UInt (log2Up(vTotal) bits)
-    val active         = out Bool ()
-    val hSync, vSync   = out Bool ()
+    val x = out UInt (log2Up(hTotal) bits)
+    val y = out UInt (log2Up(vTotal) bits)
+    val active = out Bool ()
+    val hSync, vSync = out Bool ()
     val line, frameEnd = out Bool ()
   }
   require(width > PixelScanner.Tail, s"rows of $width pixels, more than ${PixelScanner.Tail} are needed")
 
   // Starts in the blank, so that the first frame is a whole one.
-  val x    = Reg(UInt(log2Up(hTotal) bits)) init 0
-  val y    = Reg(UInt(log2Up(vTotal) bits)) init height
+  val x = Reg(UInt(log2Up(hTotal) bits)) init 0
+  val y = Reg(UInt(log2Up(vTotal) bits)) init height
   val last = RegNext(x === hTotal - 2) init False // x is at its end: known when the clock begins
   x := x + 1
   when(last) {
@@ -36,7 +36,7 @@ case class PixelScanner(mode: VideoMode) extends Component {
   io.y := y
 
   val columns = RegInit(True) setWhen last clearWhen (x === width - 1)
-  val rows    = RegInit(False)
+  val rows = RegInit(False)
   when(last) {
     when(y === height - 1)(rows := False)
     when(y === vTotal - 1)(rows := True)
@@ -49,7 +49,7 @@ case class PixelScanner(mode: VideoMode) extends Component {
   io.vSync := (if (vPositive) v else !v)
 
   val beforeVisible = y === vTotal - 1 || (rows && y =/= height - 1)
-  io.line     := x === width && beforeVisible
+  io.line := x === width && beforeVisible
   io.frameEnd := x === PixelScanner.Tail && y === height
 }
 

@@ -27,48 +27,50 @@ case class SpiDisplay(
 ) extends Component {
   val io = new Bundle {
     val pixels = slave(Stream(ResolvedPixel(config)))
-    val pins   = master(DisplayPins())
+    val pins = master(DisplayPins())
   }
   import DisplayState._
 
   val shifter = ByteShifter(clocksPerBit, tech)
-  io.pins.sck  := shifter.io.sck
+  io.pins.sck := shifter.io.sck
   io.pins.mosi := shifter.io.mosi
-  io.pins.dc   := shifter.io.dc
-  io.pins.cs   := shifter.io.cs
+  io.pins.dc := shifter.io.dc
+  io.pins.cs := shifter.io.cs
 
-  val state    = RegInit(resetting)
+  val state = RegInit(resetting)
   val windowed = RegInit(False) // the window of the tile in hand is set
-  val index    = RegInit(U(0, 4 bits))
-  val pause    = RegInit(U(0, SpiDisplay.pauseBits(clockHz, fast) bits))
+  val index = RegInit(U(0, 4 bits))
+  val pause = RegInit(U(0, SpiDisplay.pauseBits(clockHz, fast) bits))
   io.pins.reset := RegNext(state =/= resetting) init False
 
   val start = panel.start(config).flatMap(c => (false, c.code) +: c.parameters.map((true, _)))
   require(start.size <= 16, s"${panel.name}: ${start.size} bytes of initialisation, at most 16")
-  val startBytes = Vec(start.padTo(16, start.last).map { case (data, value) => B(value | (if (data) 256 else 0), 9 bits) })
-  val startByte  = startBytes(index)
+  val startBytes = Vec(start.padTo(16, start.last).map { case (data, value) =>
+    B(value | (if (data) 256 else 0), 9 bits)
+  })
+  val startByte = startBytes(index)
 
   /** First and last pixel of a tile along an axis, the last one clipped to the screen. */
   def ends(tile: UInt, log2: Int, pixels: Int): (UInt, UInt) = {
     val first = (tile << log2).resize(16)
-    val last  = (tile @@ U((1 << log2) - 1, log2 bits)).resize(16)
+    val last = (tile @@ U((1 << log2) - 1, log2 bits)).resize(16)
     val whole = pixels % (1 << log2) == 0
     (first, if (whole) last else Mux(tile === pixels >> log2, U(pixels - 1, 16 bits), last))
   }
-  val (x0, x1)                    = ends(io.pixels.tileX, config.tileLog2Width, config.width)
-  val (y0, y1)                    = ends(io.pixels.tileY, config.tileLog2Height, config.height)
+  val (x0, x1) = ends(io.pixels.tileX, config.tileLog2Width, config.width)
+  val (y0, y1) = ends(io.pixels.tileY, config.tileLog2Height, config.height)
   def bytesOf(v: UInt): Seq[Bits] = Seq(v(15 downto 8).asBits, v(7 downto 0).asBits)
-  val columns                     = Seq(B(Panel.ColumnAddress, 8 bits)) ++ bytesOf(x0) ++ bytesOf(x1)
-  val rows                        = Seq(B(Panel.RowAddress, 8 bits)) ++ bytesOf(y0) ++ bytesOf(y1)
-  val write                       = B(Panel.MemoryWrite, 8 bits)
-  val windowByte                  = Vec((columns ++ rows :+ write).padTo(16, write))(index)
-  val isCommand                   = index === 0 || index === columns.size || index === columns.size + rows.size
+  val columns = Seq(B(Panel.ColumnAddress, 8 bits)) ++ bytesOf(x0) ++ bytesOf(x1)
+  val rows = Seq(B(Panel.RowAddress, 8 bits)) ++ bytesOf(y0) ++ bytesOf(y1)
+  val write = B(Panel.MemoryWrite, 8 bits)
+  val windowByte = Vec((columns ++ rows :+ write).padTo(16, write))(index)
+  val isCommand = index === 0 || index === columns.size || index === columns.size + rows.size
 
   val needWindow = io.pixels.first && !windowed
-  val bytes      = shifter.io.bytes
-  bytes.valid     := False
-  bytes.data      := True
-  bytes.value     := io.pixels.color(7 downto 0)
+  val bytes = shifter.io.bytes
+  bytes.valid := False
+  bytes.data := True
+  bytes.value := io.pixels.color(7 downto 0)
   io.pixels.ready := False
   val paused = RegNext(pause.andR, False)
 
@@ -83,7 +85,7 @@ case class SpiDisplay(
     }
     is(starting) {
       bytes.valid := True
-      bytes.data  := startByte.msb
+      bytes.data := startByte.msb
       bytes.value := startByte(7 downto 0)
       when(bytes.ready) {
         index := index + 1
@@ -93,7 +95,7 @@ case class SpiDisplay(
     }
     is(window) {
       bytes.valid := True
-      bytes.data  := !isCommand
+      bytes.data := !isCommand
       bytes.value := windowByte
       when(bytes.ready) {
         index := index + 1
@@ -107,7 +109,7 @@ case class SpiDisplay(
       when(bytes.ready)(state := low)
     }
     is(low) {
-      bytes.valid     := True
+      bytes.valid := True
       io.pixels.ready := bytes.ready
       when(bytes.ready) { windowed := False; state := pixel }
     }

@@ -8,9 +8,9 @@ import spinal.lib._
   * clocks are visible.
   */
 case class VideoBus(format: ColorFormat) extends Bundle with IMasterSlave {
-  val red                  = UInt(format.red bits)
-  val green                = UInt(format.green bits)
-  val blue                 = UInt(format.blue bits)
+  val red = UInt(format.red bits)
+  val green = UInt(format.green bits)
+  val blue = UInt(format.blue bits)
   val hSync, vSync, active = Bool()
-  def asMaster(): Unit     = out(red, green, blue, hSync, vSync, active)
+  def asMaster(): Unit = out(red, green, blue, hSync, vSync, active)
 }

@@ -29,46 +29,46 @@ case class CompactVoxelPipeline(
   import CompactVoxelPipeline._
   fault(c).foreach(fault => throw new IllegalArgumentException(fault))
   val io = new Bundle {
-    val start     = in Bool ()
+    val start = in Bool ()
     val highlight = in Bool ()
-    val camera    = slave(Flow(CameraWrite()))
-    val commit    = in Bool ()
-    val edit      = slave(Stream(WorldWrite(c)))
-    val busy      = out Bool ()
-    val pending   = out Bool () // edits wait
-    val pixels    = master(Stream(Bits(16 bits)))
+    val camera = slave(Flow(CameraWrite()))
+    val commit = in Bool ()
+    val edit = slave(Stream(WorldWrite(c)))
+    val busy = out Bool ()
+    val pending = out Bool () // edits wait
+    val pixels = master(Stream(Bits(16 bits)))
     val pointedAt = out(PointedAt(c))
-    val step      = out Bool ()
+    val step = out Bool ()
   }
   private val stages = MarcherStages.Small
-  val cameras        = CameraMemory(c, camera)
-  val rays           = CompactRays(c, tech)
-  val marcher        = Marcher(c, assets.table, tech, stages)
-  val memory         = SharedWorldMemory(c, tech)
-  val texels         = CompactTexel(c, stages.slots, tech)
-  val composite      = CompactComposite(c, assets.table, assets.textures, stages.slots, tech)
-  val order          = PixelOrder()
+  val cameras = CameraMemory(c, camera)
+  val rays = CompactRays(c, tech)
+  val marcher = Marcher(c, assets.table, tech, stages)
+  val memory = SharedWorldMemory(c, tech)
+  val texels = CompactTexel(c, stages.slots, tech)
+  val composite = CompactComposite(c, assets.table, assets.textures, stages.slots, tech)
+  val order = PixelOrder()
 
   val starting = io.start && !io.busy
   cameras.io.write << io.camera
   cameras.io.commit := io.commit
-  cameras.io.take   := starting
-  cameras.io.index  := rays.io.index
-  cameras.io.axis   := texels.io.axis
-  rays.io.value     := cameras.io.value
-  texels.io.eye     := cameras.io.eye
-  rays.io.start     := starting
+  cameras.io.take := starting
+  cameras.io.index := rays.io.index
+  cameras.io.axis := texels.io.axis
+  rays.io.value := cameras.io.value
+  texels.io.eye := cameras.io.eye
+  rays.io.start := starting
 
   rays.io.down >> marcher.io.up
   marcher.io.memory <> memory.io.read
-  marcher.io.granted   := memory.io.granted
-  marcher.io.accepted  := texels.io.up.ready
-  texels.io.up.valid   := marcher.io.hits.valid
+  marcher.io.granted := memory.io.granted
+  marcher.io.accepted := texels.io.up.ready
+  texels.io.up.valid := marcher.io.hits.valid
   texels.io.up.payload := marcher.io.hits.payload
   texels.io.down >> composite.io.up
   composite.io.down >> order.io.up
   order.io.next := rays.io.pixel
-  rays.io.room  := order.io.room
+  rays.io.room := order.io.room
   order.io.down >> io.pixels
   io.step := marcher.io.step
 
@@ -83,9 +83,9 @@ case class CompactVoxelPipeline(
   val pick = FacePicker(c, assets.table, stages.slots, reach)
   pick.io.start := rays.io.start
   pick.io.hits << texels.io.down.toFlowFire
-  rays.io.picked                                   := pick.io.picked
-  io.pointedAt                                     := pick.io.found
-  composite.io.pointedAt                           := pick.io.found
+  rays.io.picked := pick.io.picked
+  io.pointedAt := pick.io.found
+  composite.io.pointedAt := pick.io.found
   composite.io.pointedAt.valid.removeAssignments() := pick.io.found.valid && io.highlight
 
   val drawing = new Area {
@@ -106,6 +106,6 @@ object CompactVoxelPipeline {
     else None
 
   /** Edits that wait while a frame is drawn, and how many of them are patient. */
-  val Edits   = 256
+  val Edits = 256
   val Patient = 128
 }

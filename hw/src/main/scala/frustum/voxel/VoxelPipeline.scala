@@ -26,36 +26,36 @@ case class VoxelPipeline(
     reach: Int = VoxelConfig.Reach
 ) extends Component {
   val io = new Bundle {
-    val start     = in Bool ()
-    val camera    = in(CameraPort(c))
+    val start = in Bool ()
+    val camera = in(CameraPort(c))
     val highlight = in Bool ()
-    val edit      = slave(Stream(WorldWrite(c)))
-    val look      = slave(WorldReadBus(c)) // while not busy
-    val busy      = out Bool ()
-    val pixels    = master(Flow(VoxelColor(c)))
+    val edit = slave(Stream(WorldWrite(c)))
+    val look = slave(WorldReadBus(c)) // while not busy
+    val busy = out Bool ()
+    val pixels = master(Flow(VoxelColor(c)))
     val pointedAt = out(PointedAt(c))
-    val step      = out Bool ()
+    val step = out Bool ()
   }
-  val rays      = PixelRays(c)
-  val setup     = VoxelRaySetup(c, tech)
-  val marcher   = Marcher(c, kinds, tech)
-  val memory    = WorldMemory(c)
-  val texels    = FaceTexel(c, MarcherStages.Fast.slots)
+  val rays = PixelRays(c)
+  val setup = VoxelRaySetup(c, tech)
+  val marcher = Marcher(c, kinds, tech)
+  val memory = WorldMemory(c)
+  val texels = FaceTexel(c, MarcherStages.Fast.slots)
   val composite = LayerComposite(c, kinds, textures, MarcherStages.Fast.slots)
 
   val starting = io.start && !io.busy
-  val camera   = RegNextWhen(io.camera, starting)
-  rays.io.start  := RegNext(starting, False)
+  val camera = RegNextWhen(io.camera, starting)
+  rays.io.start := RegNext(starting, False)
   rays.io.camera := camera
-  setup.io.eye   := camera.eye
-  texels.io.eye  := camera.eye
+  setup.io.eye := camera.eye
+  texels.io.eye := camera.eye
 
   // No way of ready leads from the ring through the set-up.
   rays.io.down.s2mPipe() >> setup.io.up
   setup.io.down.s2mPipe() >> marcher.io.up
   memory.io.read.address := Mux(io.busy, marcher.io.memory.address, io.look.address)
   marcher.io.memory.word := memory.io.read.word
-  io.look.word           := memory.io.read.word
+  io.look.word := memory.io.read.word
   marcher.io.hits >> texels.io.up
   texels.io.down >> composite.io.up
   composite.io.down >> io.pixels
@@ -66,9 +66,9 @@ case class VoxelPipeline(
   val pick = FacePicker(c, kinds, MarcherStages.Fast.slots, reach)
   pick.io.start := rays.io.start
   pick.io.hits << texels.io.down
-  rays.io.picked                                   := pick.io.picked
-  io.pointedAt                                     := pick.io.found
-  composite.io.pointedAt                           := pick.io.found
+  rays.io.picked := pick.io.picked
+  io.pointedAt := pick.io.found
+  composite.io.pointedAt := pick.io.found
   composite.io.pointedAt.valid.removeAssignments() := pick.io.found.valid && io.highlight
 
   val drawing = new Area {

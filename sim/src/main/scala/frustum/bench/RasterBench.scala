@@ -29,11 +29,11 @@ final case class RasterFigures(
   */
 final class RasterBench(seed: Long, positions: Int, say: String => Unit) {
   private val config = RasterConfig()
-  private val image  = new Array[Int](config.width * config.height)
-  private val loads  = new Workloads(config, seed)
+  private val image = new Array[Int](config.width * config.height)
+  private val loads = new Workloads(config, seed)
 
   def run(): RasterFigures = EngineSim.run(PipelineEngine.compile(config), None, seed) { dut =>
-    val session                                      = new PipelineSession(dut, seed)
+    val session = new PipelineSession(dut, seed)
     def draw(passes: Seq[FramePass]): Seq[DrawnPass] = {
       passes.flatMap(Driver.commands).foreach(session.send)
       passes.map(session.take(_, image))
@@ -48,10 +48,11 @@ final class RasterBench(seed: Long, positions: Int, say: String => Unit) {
     val upload = uploadClocks(session)
     Driver.commands(loads.texture).foreach(session.send)
     say("whole screens")
-    val empty   = draw(Seq.fill(2)(loads.empty(TileRegion.whole(config)))).last
-    val full    = draw(Seq.fill(2)(loads.fullScreen)).last
-    val right   = Seq(1, 2, 4, 8, 16, 32, 50).map(n => n -> costs(s"right triangles of $n pixels")(loads.rightTriangle(n)))
-    val small   = right.toMap.apply(4).map(_._2)
+    val empty = draw(Seq.fill(2)(loads.empty(TileRegion.whole(config)))).last
+    val full = draw(Seq.fill(2)(loads.fullScreen)).last
+    val right =
+      Seq(1, 2, 4, 8, 16, 32, 50).map(n => n -> costs(s"right triangles of $n pixels")(loads.rightTriangle(n)))
+    val small = right.toMap.apply(4).map(_._2)
     val needles = costs("needles")(loads.needle)
     val figures = RasterFigures(
       fullScreenClocksPerPixel = full.clocks.toDouble / (config.width * config.height),
@@ -61,7 +62,9 @@ final class RasterBench(seed: Long, positions: Int, say: String => Unit) {
       rightTriangleClocks = right.map { case (n, c) => n -> meanTotal(c) },
       randomIn16Clocks = meanTotal(costs("random triangles in 16 x 16")(loads.randomIn16)),
       diagonalSliverClocks = meanTotal(costs("diagonal slivers")(loads.diagonalSliver)),
-      needleClocksPerPixel = needles.map(_._2.total).sum / needles.map { case (pass, _) => pixels(pass) }.sum * TriangleCost.Copies,
+      needleClocksPerPixel = needles.map(_._2.total).sum / needles.map { case (pass, _) =>
+        pixels(pass)
+      }.sum * TriangleCost.Copies,
       bytesPerTriangle = teapotBytes,
       cubeClocksPerFrame = cubeClocks(session, draw),
       textureUploadClocks = upload,
@@ -73,7 +76,7 @@ final class RasterBench(seed: Long, positions: Int, say: String => Unit) {
 
   /** From the first byte fed to the last texel written: what an upload delays the frame sent behind it. */
   private def uploadClocks(session: PipelineSession): Double = {
-    val tile                               = loads.empty(TileRegion(0, 0, 0, 0))
+    val tile = loads.empty(TileRegion(0, 0, 0, 0))
     def start(before: Seq[Seq[Int]]): Long = {
       session.reset()
       (before ++ Driver.commands(tile)).foreach(session.send)
@@ -85,7 +88,7 @@ final class RasterBench(seed: Long, positions: Int, say: String => Unit) {
   /** The textured cube, culled, as it turns once about in twelve frames. */
   private def cubeClocks(session: PipelineSession, draw: Seq[FramePass] => Seq[DrawnPass]): Double = {
     say("the cube")
-    val scene                      = Scenes.byName("cube")
+    val scene = Scenes.byName("cube")
     val frames: Seq[PreparedFrame] = (0 until 12).map { i =>
       Driver.prepare(scene, scene.camera, DrawOptions(None, cullBack = true, Wrap.Repeat, 0, 30.0 * i), config, i)
     }
@@ -105,8 +108,21 @@ final class RasterBench(seed: Long, positions: Int, say: String => Unit) {
     Rasterizer(config).draw(
       pass,
       new FragmentSink {
-        def tile(x: Int, y: Int): Unit                                                                                              = ()
-        def fragment(n: Int, st: RenderState, x: Int, y: Int, s: Int, t: Int, q: Int, z: Int, r: Int, g: Int, b: Int, a: Int): Unit =
+        def tile(x: Int, y: Int): Unit = ()
+        def fragment(
+            n: Int,
+            st: RenderState,
+            x: Int,
+            y: Int,
+            s: Int,
+            t: Int,
+            q: Int,
+            z: Int,
+            r: Int,
+            g: Int,
+            b: Int,
+            a: Int
+        ): Unit =
           count += 1
         def tileEnd(x: Int, y: Int): Unit = ()
       }

@@ -21,7 +21,7 @@ object TriangleCost {
 
   /** None for a triangle without area or wholly off the screen, of which nothing is handed over. */
   def of(pass: DrawnPass): Option[TriangleCost] = {
-    val jobs  = pass.events.filter(e => Set(PipelineEvent.Moved, PipelineEvent.Missed, PipelineEvent.TileEnd)(e.kind))
+    val jobs = pass.events.filter(e => Set(PipelineEvent.Moved, PipelineEvent.Missed, PipelineEvent.TileEnd)(e.kind))
     val tiles = split(jobs).filter(_.length == Copies).map { tile =>
       (tile.last.time - tile(1).time).toDouble / (Copies - 2)
     }

@@ -39,7 +39,7 @@ object BudgetTable {
   def read(file: Path): BudgetTable = {
     try BudgetTable(
         for {
-          (scene, metrics)  <- ujson.read(InputFile.text(file, "give the table of the tree")).obj.toSeq
+          (scene, metrics) <- ujson.read(InputFile.text(file, "give the table of the tree")).obj.toSeq
           (metric, figures) <- metrics.obj.toSeq
         } yield Budget(
           scene,

@@ -10,16 +10,16 @@ import scala.util.Random
 object AccumulationFamily extends ChartFamily {
   val name = "accumulation"
 
-  val Screen         = 320
+  val Screen = 320
   private val Planes = 200
 
   /** Greatest error of a plane of slope below 1 over the screen, values afresh every so many pixels. */
   def error(fraction: Int, every: Int): Double = {
     val random = new Random(1)
-    val one    = pow(2, fraction)
+    val one = pow(2, fraction)
     Seq.fill(Planes) {
       val (start, slope) = (random.nextDouble(), random.nextDouble())
-      val step           = round(slope * one)
+      val step = round(slope * one)
       (0 until Screen).map { x =>
         val from = x / every * every
         ((round((start + slope * from) * one) + step * (x - from)) / one - (start + slope * x)).abs

@@ -9,10 +9,10 @@ import scala.math.{floor, pow, round}
 object AreaFamily extends ChartFamily {
   val name = "area"
 
-  private val Places                         = 4001
+  private val Places = 4001
   private def word(value: Double, bits: Int) = round(value * pow(2, bits)) / pow(2, bits)
-  private def line(d: Double)                = 48.0 / 17 - 32.0 / 17 * d
-  private def table(bits: Int)(d: Double)    =
+  private def line(d: Double) = 48.0 / 17 - 32.0 / 17 * d
+  private def table(bits: Int)(d: Double) =
     word(1 / ((floor(2 * d * pow(2, bits)) + 0.5) / pow(2, bits) / 2), bits + 3)
 
   /** Greatest |x d - 1| after so many steps x + x (1 - d x). */

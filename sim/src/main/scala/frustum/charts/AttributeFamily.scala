@@ -13,15 +13,15 @@ object AttributeFamily extends ChartFamily {
   val name = "attributes"
 
   private val dropped = 0 to 12 by 2
-  private val scenes  = Seq("cube", "floor", "terrain")
-  private val judge   = new FrameJudge(Engines.model, simulated = false)
+  private val scenes = Seq("cube", "floor", "terrain")
+  private val judge = new FrameJudge(Engines.model, simulated = false)
 
   /** Wrong texels of 100 judged ones, from the scene's own camera. */
   def wrongPercent(scene: String, bits: Int): Double = {
-    val s       = Scenes.byName(scene)
-    val config  = RasterConfig(formats = PlaneFormats(coordinate = bits))
+    val s = Scenes.byName(scene)
+    val config = RasterConfig(formats = PlaneFormats(coordinate = bits))
     val options = DrawOptions(None, cullBack = false, Wrap.Repeat, s.background)
-    val texels  = judge.drawModel(Driver.prepare(s, s.camera, options, config, 0))._1.texels
+    val texels = judge.drawModel(Driver.prepare(s, s.camera, options, config, 0))._1.texels
     100.0 * texels.wrong / texels.judged
   }
 
@@ -30,7 +30,7 @@ object AttributeFamily extends ChartFamily {
       RasterConfig(formats = PlaneFormats(coordinate = n)),
       slots = 6
     )))
-    val units  = dropped.map(n => n -> unit(n))
+    val units = dropped.map(n => n -> unit(n))
     val points = for (scene <- scenes; (n, unit) <- units)
       yield ChartPoint(scene, s"${32 - n} bits", unit.fold(32.0 - n)(_.cells), wrongPercent(scene, n), unit)
     Seq(Chart(

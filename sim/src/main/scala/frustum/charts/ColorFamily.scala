@@ -10,7 +10,7 @@ object ColorFamily extends ChartFamily {
   val name = "colour"
 
   private val (width, height) = (256, 64)
-  private val formats         = Seq(
+  private val formats = Seq(
     ColorFormat.Rgb332,
     ColorFormat.Rgb444,
     ColorFormat.Rgb565,
@@ -28,7 +28,7 @@ object ColorFamily extends ChartFamily {
       val difference =
         (for (dy <- 0 to 3; dx <- 0 to 3) yield {
           val value = ((x + dx) * (channel + 2) / 4 + (y + dy) / 4).min(255)
-          val code  = if (dither) OrderedDither.channel(value, bits, x + dx, y + dy) else value >> 8 - bits
+          val code = if (dither) OrderedDither.channel(value, bits, x + dx, y + dy) else value >> 8 - bits
           shown(code, bits) - value
         }).sum / 16
       sum += difference * difference
@@ -45,7 +45,7 @@ object ColorFamily extends ChartFamily {
       }
     def marked(points: Seq[ChartPoint], method: String, format: ColorFormat) =
       points.find(p => p.method == method && p.setting == format.name)
-    val bits  = points((format, _) => (format.bits.toDouble, None))
+    val bits = points((format, _) => (format.bits.toDouble, None))
     val cells = costs.map { c =>
       def unit(format: ColorFormat) =
         c.timed(s"ordered dither to ${format.name}")(frustum.video.OrderedDither(format))

@@ -22,8 +22,8 @@ object DepthFamily extends ChartFamily {
       fixed((1 / near - 1 / w) / (1 / near - 1 / far), bits)
     ),
     "1/w, without regard to the far plane" -> ((w, _, bits) => fixed(near / w, bits)),
-    "w, linear in space"                   -> ((w, far, bits) => fixed((w - near) / (far - near), bits)),
-    "reversed float, 5 bits of exponent"   -> ((w, far, bits) =>
+    "w, linear in space" -> ((w, far, bits) => fixed((w - near) / (far - near), bits)),
+    "reversed float, 5 bits of exponent" -> ((w, far, bits) =>
       float((1 / w - 1 / far) / (1 / near - 1 / far), bits)
     )
   )
@@ -32,8 +32,8 @@ object DepthFamily extends ChartFamily {
   def gap(encode: (Double, Double, Int) => Double, far: Double, bits: Int): Double = {
     val Depths = 200
     (0 until Depths).map { i =>
-      val w           = near * pow(far / near, (i + 0.5) / Depths)
-      val here        = encode(w, far, bits)
+      val w = near * pow(far / near, (i + 0.5) / Depths)
+      val here = encode(w, far, bits)
       var (low, high) = (1e-9, far / w - 1)
       if (encode(w * (1 + high), far, bits) == here) high
       else {

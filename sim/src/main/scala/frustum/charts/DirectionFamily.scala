@@ -16,7 +16,7 @@ import scala.util.Random
 object DirectionFamily extends ChartFamily {
   val name = "directions"
 
-  private val bits  = 12 to 15
+  private val bits = 12 to 15
   private val views = {
     val random = new Random(1)
     Seq.fill(24)(VoxelView(
@@ -29,11 +29,11 @@ object DirectionFamily extends ChartFamily {
 
   /** Greatest error in pixels. */
   def error(slopeBits: Int): Double = {
-    val c     = VoxelConfig(slopeBits = slopeBits)
+    val c = VoxelConfig(slopeBits = slopeBits)
     val empty = VoxelWorld.tabulate(c.size)((_, _, _) => 0)
     (for (view <- views) yield {
       val camera = view.camera(c)
-      val ideal  = new IdealVoxelPicture(c, Blocks.assets, empty, view)
+      val ideal = new IdealVoxelPicture(c, Blocks.assets, empty, view)
       (for (j <- 0 until c.height by 9; i <- 0 until c.width by 9) yield {
         val ray = VoxelRaySetup(camera.eye.axes, camera.direction(i, j), c)
         ideal.directionError(i, j, VoxelJudge.direction(ray, slopeBits).map(_.toDouble))
@@ -44,7 +44,10 @@ object DirectionFamily extends ChartFamily {
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
     val points = for (n <- bits) yield {
       val unit =
-        costs.map(_.timed(s"ray set-up with slopes of $n bits")(frustum.voxel.wide.VoxelRaySetup(VoxelConfig(slopeBits = n), Tech.Ice40)))
+        costs.map(_.timed(s"ray set-up with slopes of $n bits")(frustum.voxel.wide.VoxelRaySetup(
+          VoxelConfig(slopeBits = n),
+          Tech.Ice40
+        )))
       ChartPoint("reciprocal by table and line", s"$n bits", unit.fold(n.toDouble)(_.cells), error(n), unit)
     }
     Seq(Chart(

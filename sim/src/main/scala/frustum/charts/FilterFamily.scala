@@ -21,9 +21,9 @@ object FilterFamily extends ChartFamily {
     */
   private def error(weight: Double => Double, result: Double => Double): Double = {
     val random = new Random(1)
-    val sum    = Seq.fill(Samples) {
-      val texels                        = Seq.fill(4)(random.nextInt(32) * 255.0 / 31)
-      val (u, v)                        = (random.nextDouble(), random.nextDouble())
+    val sum = Seq.fill(Samples) {
+      val texels = Seq.fill(4)(random.nextInt(32) * 255.0 / 31)
+      val (u, v) = (random.nextDouble(), random.nextDouble())
       def channel(u: Double, v: Double) =
         mix(mix(texels(0), texels(1), u), mix(texels(2), texels(3), u), v)
       pow(result(channel(weight(u), weight(v))) - channel(u, v), 2)
@@ -31,10 +31,10 @@ object FilterFamily extends ChartFamily {
     scala.math.sqrt(sum / Samples)
   }
 
-  private def cut(bits: Int)(f: Double)     = floor(f * (1 << bits)) / (1 << bits)
+  private def cut(bits: Int)(f: Double) = floor(f * (1 << bits)) / (1 << bits)
   private def nearest(bits: Int)(f: Double) = round(f * (1 << bits)) / (1 << bits).toDouble
-  private def exact(v: Double)              = v
-  private def fiveBits(v: Double)           = round(v * 31 / 255) * 255.0 / 31
+  private def exact(v: Double) = v
+  private def fiveBits(v: Double) = round(v * 31 / 255) * 255.0 / 31
 
   def error(bits: Int, rounded: Boolean): Double =
     error(if (rounded) nearest(bits) _ else cut(bits) _, exact _)

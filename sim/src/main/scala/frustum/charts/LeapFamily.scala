@@ -22,12 +22,12 @@ object LeapFamily extends ChartFamily {
 
   /** Mean steps a ray. */
   def steps(field: LeapField): Double = {
-    val c      = base.copy(leaps = field)
+    val c = base.copy(leaps = field)
     val counts = for {
       world <- worlds
       march = new Marcher(c, Blocks.table, LeapWords(world, field))
       yaw <- 0 until 360 by 45
-      x      = 20 + yaw % 24
+      x = 20 + yaw % 24
       camera = VoxelView(new Vector3d(x + 0.4, 32.6, world.surface(x, 32) + 2.6), yaw + 10, -8, 45).camera(c)
       j <- 0 until c.height
       i <- 0 until c.width
@@ -36,7 +36,7 @@ object LeapFamily extends ChartFamily {
   }
 
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
-    val plain  = ChartPoint("a block a step", "0 bits", LeapField.Plain.wordBits, steps(LeapField.Plain))
+    val plain = ChartPoint("a block a step", "0 bits", LeapField.Plain.wordBits, steps(LeapField.Plain))
     val points =
       for ((method, mask) <- groups; bits <- 1 to 4 if bits << Integer.bitCount(mask) <= 24) yield {
         val field = LeapField(mask, bits)

@@ -12,9 +12,9 @@ import spinal.core._
   */
 final class LongDivision(fraction: Int) extends Component {
   val rows = 8 + fraction
-  val io   = new Bundle {
-    val s, t   = in SInt (32 bits)
-    val q      = in UInt (31 bits)
+  val io = new Bundle {
+    val s, t = in SInt (32 bits)
+    val q = in UInt (31 bits)
     val sq, tq = out SInt (rows + 1 bits)
   }
   private val denominators = Seq.iterate(RegNext(io.q), rows)(RegNext(_))
@@ -24,9 +24,9 @@ final class LongDivision(fraction: Int) extends Component {
       denominators.foldLeft((RegNext(s.abs.resize(31)), Option.empty[UInt], RegNext(s.msb))) {
         case ((remainder, digits, negative), q) =>
           val doubled = remainder @@ False
-          val less    = doubled -^ q
-          val bit     = !less.msb
-          val next    = RegNext(bit ? less.resize(31) | doubled.resize(31))
+          val less = doubled -^ q
+          val bit = !less.msb
+          val next = RegNext(bit ? less.resize(31) | doubled.resize(31))
           (next, Some(RegNext(digits.fold(bit.asUInt(1 bit))(_ @@ bit))), RegNext(negative))
       }
     val magnitude = digits.get.resize(rows + 1).asSInt

@@ -15,7 +15,7 @@ import scala.util.Random
 object ReciprocalFamily extends ChartFamily {
   val name = "perspective"
 
-  private val Fractions                      = 1 << 20
+  private val Fractions = 1 << 20
   private def word(value: Double, bits: Int) = round(value * (1L << bits)) / (1L << bits).toDouble
 
   /** Greatest |approximation (1 + f) - 1|. */
@@ -26,15 +26,15 @@ object ReciprocalFamily extends ChartFamily {
     }.max
 
   private def table(bits: Int): (Int, Double => Double) = {
-    val size  = 1 << bits
-    val wide  = bits + 3
+    val size = 1 << bits
+    val wide = bits + 3
     val words = Array.tabulate(size)(i => word(1 / (1 + (i + 0.5) / size), wide))
     (size * wide, f => words((f * size).toInt))
   }
 
   private def linear(bits: Int): (Int, Double => Double) = {
-    val size  = 1 << bits
-    val wide  = 2 * bits + 5
+    val size = 1 << bits
+    val wide = 2 * bits + 5
     val bases = Array.tabulate(size) { i =>
       val (a, b, m) = (1 / (1 + i.toDouble / size), 1 / (1 + (i + 1.0) / size), 1 / (1 + (i + 0.5) / size))
       word(a + (m - (a + b) / 2) / 2, wide) // half of the line's own error
@@ -70,7 +70,7 @@ object ReciprocalFamily extends ChartFamily {
   /** What divides, and how large and fast it is. */
   private def dividers(costs: UnitCosts): Chart = {
     val long = for (fraction <- Seq(8, 12, 17)) yield {
-      val unit  = costs.timed(s"long division to $fraction bits")(new LongDivision(fraction))
+      val unit = costs.timed(s"long division to $fraction bits")(new LongDivision(fraction))
       val error = texelError()((s, q) => LongDivision(s, q, fraction) / (1L << fraction).toDouble)
       ChartPoint("long division, a row a bit", s"$fraction fraction bits", unit.cells, error, Some(unit))
     }
@@ -85,8 +85,8 @@ object ReciprocalFamily extends ChartFamily {
     val late = for (ratio <- 1 to VertexRanges.LateRatio) yield {
       val config = RasterConfig(ranges = VertexRanges(ratio = ratio))
       val divide = new model.raster.texture.LateDivide(config)
-      val unit   = costs.timed(s"late divide, w ratios to ${1 << ratio}")(raster.texture.LateDivide(config, Tech.Ice40))
-      val error  = texelError(ratio)((s, q) => divide(s, q) / 131072.0)
+      val unit = costs.timed(s"late divide, w ratios to ${1 << ratio}")(raster.texture.LateDivide(config, Tech.Ice40))
+      val error = texelError(ratio)((s, q) => divide(s, q) / 131072.0)
       ChartPoint("shifted after the table: LateDivide", s"w ratios to ${1 << ratio}", unit.cells, error, Some(unit))
     }
     Chart(

@@ -11,7 +11,7 @@ object RootFamily extends ChartFamily {
   val name = "roots"
 
   private val Places = 1 << 16
-  private val Bits   = 16
+  private val Bits = 16
 
   private final case class Function(
       name: String,
@@ -39,7 +39,7 @@ object RootFamily extends ChartFamily {
     word(f(((x * (1 << bits)).toInt + 0.5) / (1 << bits)))
 
   private def line(f: Double => Double, bits: Int)(x: Double): Double = {
-    val i      = (x * (1 << bits)).toInt
+    val i = (x * (1 << bits)).toInt
     val (a, b) = (word(f((i.toDouble / (1 << bits)).max(1e-9))), word(f((i + 1.0) / (1 << bits))))
     word(a + (b - a) * (x * (1 << bits) - i))
   }

@@ -10,8 +10,8 @@ import frustum.synthesis.UnitCosts
 object SpanFamily extends ChartFamily {
   val name = "spans"
 
-  private val Texels      = 64 * 8 // across the floor's 8 repeats
-  private val Length      = 256    // pixels from the near end of the floor to the far one
+  private val Texels = 64 * 8 // across the floor's 8 repeats
+  private val Length = 256 // pixels from the near end of the floor to the far one
   private val (near, far) = (1.0, 100.0)
 
   /** Texel at pixel x: the floor's depth has a linear reciprocal. */
@@ -23,7 +23,7 @@ object SpanFamily extends ChartFamily {
   /** Greatest error in texels over the nearest half of the way, where a span is still shorter than a repeat. */
   def error(span: Int): Double = (for {
     start <- 0 until Length / 2 by span
-    x     <- 0 to span
+    x <- 0 to span
   } yield {
     val (a, b) = (texel(start), texel(start + span))
     (a + (b - a) * x / span - texel(start + x)).abs

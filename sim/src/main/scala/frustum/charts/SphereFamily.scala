@@ -17,19 +17,19 @@ import scala.util.Random
 object SphereFamily extends ChartFamily {
   val name = "spheres"
 
-  private val mode   = VideoMode.Vga640x480
-  private val scene  = PongScene.room(mode.width, mode.height)
+  private val mode = VideoMode.Vga640x480
+  private val scene = PongScene.room(mode.width, mode.height)
   private val camera = scene.camera.low
   private val sphere = scene.spheres.head
 
   private lazy val centres: Seq[IntVector] = {
-    val random             = new Random(1)
+    val random = new Random(1)
     def between(axis: Int) = random.between(sphere.low(axis), sphere.high(axis) + 1)
     Seq.fill(6)(IntVector(between(0), between(1), between(2)))
   }
 
   private type Test = (Seq[Double], Seq[Double]) => Boolean // of a direction and a centre from the eye
-  private def squareOfRadius                      = sphere.radius.toDouble * sphere.radius
+  private def squareOfRadius = sphere.radius.toDouble * sphere.radius
   private def dot(a: Seq[Double], b: Seq[Double]) = a.zip(b).map { case (x, y) => x * y }.sum
 
   private def exact: Test = (d, c) => { // below 2^53, or the test that counts none wrong would fail
@@ -41,7 +41,7 @@ object SphereFamily extends ChartFamily {
   }.sum
 
   private def float(bits: Int): Test = {
-    def r(v: Double)                          = if (v == 0) v else { val e = bits - 1 - getExponent(v); scalb(rint(scalb(v, e)), -e) }
+    def r(v: Double) = if (v == 0) v else { val e = bits - 1 - getExponent(v); scalb(rint(scalb(v, e)), -e) }
     def inner(a: Seq[Double], b: Seq[Double]) =
       a.zip(b).map { case (x, y) => r(x * y) }.reduce((x, y) => r(x + y))
     (d, c) => {
@@ -52,8 +52,8 @@ object SphereFamily extends ChartFamily {
 
   private def unit(bits: Int): Test = (d, c) => {
     val length = sqrt(dot(d, d))
-    val n      = d.map(x => scalb(rint(scalb(x / length, bits)), -bits))
-    val b      = dot(n, c)
+    val n = d.map(x => scalb(rint(scalb(x / length, bits)), -bits))
+    val b = dot(n, c)
     b > 0 && b * b - (dot(c, c) - squareOfRadius) >= 0
   }
 
@@ -61,8 +61,8 @@ object SphereFamily extends ChartFamily {
   private def wrongPercent(test: Test): Double = {
     var (wrong, inside) = (0L, 0L)
     for (centre <- centres; v <- 0 until mode.height by 3; h <- 0 until mode.width) {
-      val d     = camera.direction(h, v).axes.map(_.toDouble)
-      val c     = (0 to 2).map(a => (centre(a) - camera.eye(a)).toDouble)
+      val d = camera.direction(h, v).axes.map(_.toDouble)
+      val c = (0 to 2).map(a => (centre(a) - camera.eye(a)).toDouble)
       val truth = exact(d, c)
       if (truth) inside += 1
       if (test(d, c) != truth) wrong += 1
@@ -70,13 +70,13 @@ object SphereFamily extends ChartFamily {
     100.0 * wrong / inside
   }
   def floatWrong(bits: Int): Double = wrongPercent(float(bits))
-  def unitWrong(bits: Int): Double  = wrongPercent(unit(bits))
+  def unitWrong(bits: Int): Double = wrongPercent(unit(bits))
 
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
     val program = RayProgram(scene, mode.width, mode.height)
-    val form    = program.form("sphere0")
-    val walker  = costs.map(_.timed("walker of a silhouette")(FormWalker(form, program)))
-    val points  =
+    val form = program.form("sphere0")
+    val walker = costs.map(_.timed("walker of a silhouette")(FormWalker(form, program)))
+    val points =
       (8 to 28 by 4).map(n => ChartPoint("discriminant in floating point", s"$n bits", n, floatWrong(n))) ++
         (8 to 24 by 4).map(n => ChartPoint("discriminant with unit vectors", s"$n bits", n, unitWrong(n)))
     val ours = ChartPoint("exact, by differences", s"${form.width} bits", form.width, 0, walker)

@@ -10,20 +10,20 @@ import scala.util.Random
 object SubpixelFamily extends ChartFamily {
   val name = "subpixel"
 
-  private val Unit      = 4096 // of "unrounded"
+  private val Unit = 4096 // of "unrounded"
   private val Triangles = 1500
 
   /** Wrong pixels of 100 covered ones. */
   def wrongPercent(bits: Int, seed: Int): Double = {
-    val random           = new Random(seed)
-    val step             = Unit >> bits
+    val random = new Random(seed)
+    val step = Unit >> bits
     var (wrong, covered) = (0L, 0L)
     for (_ <- 0 until Triangles) {
-      def coordinates()       = IndexedSeq.fill(3)((random.nextDouble() * 14 * Unit).round)
-      val (xs, ys)            = (coordinates(), coordinates())
-      def snap(v: Long)       = (v + step / 2) / step * step
-      val clockwise           = (xs(1) - xs(0)) * (ys(2) - ys(0)) - (ys(1) - ys(0)) * (xs(2) - xs(0)) > 0
-      val order               = if (clockwise) Seq(0, 1, 2) else Seq(0, 2, 1)
+      def coordinates() = IndexedSeq.fill(3)((random.nextDouble() * 14 * Unit).round)
+      val (xs, ys) = (coordinates(), coordinates())
+      def snap(v: Long) = (v + step / 2) / step * step
+      val clockwise = (xs(1) - xs(0)) * (ys(2) - ys(0)) - (ys(1) - ys(0)) * (xs(2) - xs(0)) > 0
+      val order = if (clockwise) Seq(0, 1, 2) else Seq(0, 2, 1)
       def of(v: Long => Long) =
         new ExactCoverage(order.map(i => v(xs(i))).toIndexedSeq, order.map(i => v(ys(i))).toIndexedSeq, Unit)
       val (exact, snapped) = (of(identity), of(snap))

@@ -13,9 +13,9 @@ import frustum.synthesis.UnitCosts
 object TileFamily extends ChartFamily {
   val name = "tiles"
 
-  private val Dropped = 6                           // bits that the planes go without, so that the errors show
-  private val sizes   = Seq((4, 4), (5, 4), (5, 5)) // a screen has at most 32 tiles a side
-  private val judge   = new FrameJudge(Engines.model, simulated = false)
+  private val Dropped = 6 // bits that the planes go without, so that the errors show
+  private val sizes = Seq((4, 4), (5, 4), (5, 5)) // a screen has at most 32 tiles a side
+  private val judge = new FrameJudge(Engines.model, simulated = false)
 
   private def frame(scene: String, config: RasterConfig): PreparedFrame = {
     val s = Scenes.byName(scene)
@@ -33,15 +33,15 @@ object TileFamily extends ChartFamily {
   }
 
   private def clocksPerPixel(scene: String, log2Width: Int, log2Height: Int): Double = {
-    val c        = config(log2Width, log2Height)
+    val c = config(log2Width, log2Height)
     val prepared = frame(scene, c)
-    val drawn    = Engines.byName("pipeline").make(EngineOptions(1, None)).render(Seq(prepared)).head
+    val drawn = Engines.byName("pipeline").make(EngineOptions(1, None)).render(Seq(prepared)).head
     drawn.clocks.get.toDouble / (c.width * c.height)
   }
 
   def charts(costs: Option[UnitCosts]): Seq[Chart] = costs.toSeq.map { _ =>
     val points = for {
-      scene  <- Seq("cube", "floor")
+      scene <- Seq("cube", "floor")
       (w, h) <- sizes
     } yield ChartPoint(
       scene,

@@ -1,6 +1,16 @@
 package frustum.command
 
-import frustum.contract.raster.{Combine, Command, CommandShape, DepthFunction, PackedVertex, RenderState, TexelFormat, TextureRef, Wrap}
+import frustum.contract.raster.{
+  Combine,
+  Command,
+  CommandShape,
+  DepthFunction,
+  PackedVertex,
+  RenderState,
+  TexelFormat,
+  TextureRef,
+  Wrap
+}
 import java.nio.file.{Files, Paths}
 
 /** Prints `docs/commands.md` from the command table and the formats themselves, so that the page is what the hardware
@@ -62,10 +72,10 @@ object CommandPage {
     }.mkString("; ")
 
   private def vertex: Seq[String] = {
-    val zero                                                   = PackedVertex(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)
+    val zero = PackedVertex(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)
     def row(name: String, full: PackedVertex, content: String) =
       Seq(name, place(zero.words, Seq(full.words)), content)
-    val most  = s"magnitude at most ${PackedVertex.MaxXy}"
+    val most = s"magnitude at most ${PackedVertex.MaxXy}"
     val turns = s"repeats, two's complement, 16 fraction bits; magnitude at most ${PackedVertex.MaxSt}"
     Seq(
       "## Vertex",
@@ -94,13 +104,14 @@ object CommandPage {
 
   private def state: Seq[String] = {
     val texture = TextureRef(0, 3, 3, TexelFormat.Rgb565)
-    val zero    = RenderState(Some(texture), depth = DepthFunction.Never, depthWrite = false)
-    def row(name: String, content: String)(values: RenderState*) = Seq(name, place(zero.words, values.map(_.words)), content)
-    def textured(t: TextureRef)                                  = zero.copy(texture = Some(t))
-    def codes(all: (Int, String)*)                               = all.map { case (code, name) => s"$code $name" }.mkString(", ")
-    val combines                                                 = Seq(Combine.ColorOnly, Combine.Replace, Combine.Modulate)
-    val formats                                                  = Seq(TexelFormat.Rgb565, TexelFormat.Rgba4444)
-    val wraps                                                    = Wrap.all.map(w => w.code -> w.toString.toLowerCase)
+    val zero = RenderState(Some(texture), depth = DepthFunction.Never, depthWrite = false)
+    def row(name: String, content: String)(values: RenderState*) =
+      Seq(name, place(zero.words, values.map(_.words)), content)
+    def textured(t: TextureRef) = zero.copy(texture = Some(t))
+    def codes(all: (Int, String)*) = all.map { case (code, name) => s"$code $name" }.mkString(", ")
+    val combines = Seq(Combine.ColorOnly, Combine.Replace, Combine.Modulate)
+    val formats = Seq(TexelFormat.Rgb565, TexelFormat.Rgba4444)
+    val wraps = Wrap.all.map(w => w.code -> w.toString.toLowerCase)
     Seq(
       "## Render state",
       s"2 words (`RenderState`); ${RenderState.Count} states a frame. Those that triangles name must be sent in every frame.",
@@ -108,18 +119,30 @@ object CommandPage {
         Seq("field", "place", "content"),
         Seq(
           row("texture base", "first texel / 64")((0 to 511).map(b => textured(texture.copy(base = b))): _*),
-          row("texture width", "log2 of the width, less 3: 8 to 128 texels")((3 to 7).map(n => textured(texture.copy(log2Width = n))): _*),
-          row("texture height", "log2 of the height, less 3")((3 to 7).map(n => textured(texture.copy(log2Height = n))): _*),
+          row(
+            "texture width",
+            "log2 of the width, less 3: 8 to 128 texels"
+          )((3 to 7).map(n => textured(texture.copy(log2Width = n))): _*),
+          row(
+            "texture height",
+            "log2 of the height, less 3"
+          )((3 to 7).map(n => textured(texture.copy(log2Height = n))): _*),
           row(
             "texel format",
             codes(formats.map(f => f.code -> f.toString.toUpperCase): _*)
           )(formats.map(f => textured(texture.copy(format = f))): _*),
           row("wrap s", codes(wraps: _*))(Wrap.all.map(w => zero.copy(wrapS = w)): _*),
           row("wrap t", "the same")(Wrap.all.map(w => zero.copy(wrapT = w)): _*),
-          row("combine", codes(combines.map(_.code).zip(Seq("vertex colour alone", "texel alone", "texel * vertex colour")): _*))(
+          row(
+            "combine",
+            codes(combines.map(_.code).zip(Seq("vertex colour alone", "texel alone", "texel * vertex colour")): _*)
+          )(
             combines.map(c => zero.copy(combine = c)): _*
           ),
-          row("depth function", "sum of 1 less, 2 equal, 4 greater: the fragment passes when its depth is so against the stored one")(
+          row(
+            "depth function",
+            "sum of 1 less, 2 equal, 4 greater: the fragment passes when its depth is so against the stored one"
+          )(
             (0 to 7).map(f => zero.copy(depth = DepthFunction.decode(f))): _*
           ),
           row("depth write", "1: a fragment that passes stores its depth")(zero.copy(depthWrite = true)),

@@ -11,7 +11,7 @@ import spinal.sim.{Signal, SimManagerContext}
   * `forkStimulus`.
   */
 final class DirectClock(domain: ClockDomain) {
-  private val manager   = SimManagerContext.current.manager
+  private val manager = SimManagerContext.current.manager
   private val simulator = manager.raw
 
   /** The top's port that the domain's clock comes in by. */

@@ -41,7 +41,7 @@ object EngineSim {
       (name, kind), {
         println(s"$name: compiling the simulation; this takes a minute or two the first time")
         val settings = SimConfig.withConfig(spinalConfig).allOptimisation.workspaceName(name + kind.fold("")("_" + _))
-        val waved    = kind match {
+        val waved = kind match {
           case Some("vcd") => settings.withVcdWave
           case Some(_)     => settings.withFstWave
           case None        => settings
@@ -66,10 +66,10 @@ object EngineSim {
   }
 
   private def takeWave(sim: SimCompiled[_], to: Path): Unit = {
-    val kind  = if (to.toString.endsWith(".vcd")) ".vcd" else ".fst"
+    val kind = if (to.toString.endsWith(".vcd")) ".vcd" else ".fst"
     val files = Using.resource(Files.walk(sim.compiledPath.toPath))(_.iterator.asScala.toSeq)
     val found = files.filter(_.toString.endsWith(kind)).sortBy(Files.getLastModifiedTime(_)).lastOption
-    val file  = found.getOrElse(throw new IllegalStateException(s"the simulation wrote no $kind file"))
+    val file = found.getOrElse(throw new IllegalStateException(s"the simulation wrote no $kind file"))
     OutputFile.write(to)(part => Files.move(file, part, StandardCopyOption.REPLACE_EXISTING))
   }
 }

@@ -9,10 +9,10 @@ import frustum.peripheral.{SimVideoMonitor, SimVideoReader}
   * @param run     lets so many clocks pass
   */
 final class VideoSession(monitor: SimVideoMonitor, divider: Int = 1)(run: Long => Unit) {
-  private val mode        = monitor.mode
+  private val mode = monitor.mode
   private val frameClocks = mode.hTotal.toLong * mode.vTotal * divider
-  private var seen        = 0L
-  val reader              = new SimVideoReader(monitor)
+  private var seen = 0L
+  val reader = new SimVideoReader(monitor)
 
   /** Runs until one more frame is complete. Returns at most a [[VideoSession.Looks]]th of a frame after its end:
     * the one that follows is still in its blank or first lines.

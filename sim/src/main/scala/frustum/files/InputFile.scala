@@ -24,6 +24,6 @@ object InputFile {
     catch {
       case _: NoSuchFileException      => throw InputError(s"$file: there is no such file; check the name")
       case _: CharacterCodingException => throw InputError(s"$file: is not a text file; $remedy")
-      case NonFatal(e)                 => throw InputError(s"$file: cannot be read (${e.getClass.getSimpleName}); $remedy")
+      case NonFatal(e) => throw InputError(s"$file: cannot be read (${e.getClass.getSimpleName}); $remedy")
     }
 }

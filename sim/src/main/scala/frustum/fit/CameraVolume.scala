@@ -16,11 +16,11 @@ import scala.util.{Random, Try}
   */
 final case class View(turn: Double, elevation: Double, distance: Double) {
   def camera(own: Camera): Camera = {
-    val up     = new Vector3d(own.up).normalize
+    val up = new Vector3d(own.up).normalize
     val offset = new Vector3d(own.eye).sub(own.at)
     val height = 90 - toDegrees(acos((offset.dot(up) / offset.length).max(-1).min(1)))
     val raised = (height + elevation).max(-89).min(89) - height
-    val right  = new Vector3d(up).cross(offset).normalize
+    val right = new Vector3d(up).cross(offset).normalize
     offset.rotateAxis(-toRadians(raised), right.x, right.y, right.z)
     offset.rotateAxis(toRadians(turn), up.x, up.y, up.z)
     own.copy(eye = new Vector3d(own.at).fma(distance, offset))

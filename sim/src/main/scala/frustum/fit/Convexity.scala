@@ -24,9 +24,9 @@ object Convexity {
 
   /** What a scene is, None where parts of it may hide others. */
   def of(scene: Scene): Option[Convexity] = {
-    val tolerance                      = 1e-9 * scene.boundingSphere._2
-    val points                         = scene.triangles.flatMap(_.vertices.map(_.position)).distinct
-    val faces                          = planes(scene)
+    val tolerance = 1e-9 * scene.boundingSphere._2
+    val points = scene.triangles.flatMap(_.vertices.map(_.position)).distinct
+    val faces = planes(scene)
     def beyond(n: Vector3d, d: Double) = points.map(p => n.dot(p) - d)
     if (faces.isEmpty || scene.materials.exists(_.blend)) None
     else if (faces.forall { case (n, d) => beyond(n, d).forall(_.abs <= tolerance) }) Some(Flat)

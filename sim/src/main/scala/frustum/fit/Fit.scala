@@ -25,7 +25,7 @@ final class Fit(
     seed: Long,
     say: String => Unit
 ) {
-  private val judge  = new FrameJudge(Engines.model, simulated = false)
+  private val judge = new FrameJudge(Engines.model, simulated = false)
   private val states =
     StateTable(scene, TextureMemory.allocate(scene, features.config), features.options).states
 
@@ -58,9 +58,9 @@ final class Fit(
       throw InputError(
         s"${scene.name}: the view with $view is from inside the mesh; give a --volume with greater distances"
       )
-    val frame                  = prepare(view, formats)
+    val frame = prepare(view, formats)
     val (verdict, image, logs) = judge.drawModel(frame)
-    val screen                 = frame.config.width * frame.config.height
+    val screen = frame.config.width * frame.config.height
     // Without a depth test no pixel may be drawn twice: it counts as a wrong texel.
     val twice =
       if (features.options.depthTest) 0
@@ -110,7 +110,7 @@ final class Fit(
   /** A worse view than this, if a climb finds one. */
   private def climb(from: View, formats: PlaneFormats, r: Random): (View, Double) =
     (0 until Fit.ClimbSteps).foldLeft((from, share(from, formats))) { case ((best, worst), step) =>
-      val next  = volume.near(best, 0.3 * pow(0.8, step), r)
+      val next = volume.near(best, 0.3 * pow(0.8, step), r)
       val found = share(next, formats)
       if (found > worst) (next, found) else (best, worst)
     }
@@ -120,9 +120,9 @@ final class Fit(
     @annotation.tailrec
     def refine(views: Seq[View], round: Int): (Seq[View], PlaneFormats) = {
       val formats = search(views)
-      val ranked  = views.sortBy(-share(_, formats))
+      val ranked = views.sortBy(-share(_, formats))
       val climbed = ranked.take(Fit.Climbers).map(climb(_, formats, random))
-      val over    = climbed.filter(_._2 > Fit.Margin).map(_._1)
+      val over = climbed.filter(_._2 > Fit.Margin).map(_._1)
       say(
         s"round $round: $formats for ${views.length} views, worst at ${percent(climbed.map(_._2).max)} of the budget" +
           (if (over.isEmpty) "" else s", ${over.length} worse views added")
@@ -131,8 +131,8 @@ final class Fit(
       else refine(over ++ ranked, round + 1)
     }
     val (views, formats) = refine(Seq.fill(Fit.TrainingViews)(volume.random(random)), 1)
-    val unused           = new Random(seed + Fit.HeldOutSeed)
-    val heldOut          = Seq.fill(Fit.HeldOutViews)(volume.random(unused)).map(v => v -> errors(v, formats))
+    val unused = new Random(seed + Fit.HeldOutSeed)
+    val heldOut = Seq.fill(Fit.HeldOutViews)(volume.random(unused)).map(v => v -> errors(v, formats))
     FitResult(
       features.copy(config = features.config.copy(formats = formats)),
       budget,
@@ -166,11 +166,11 @@ private object Knob {
 
 object Fit {
   val TrainingViews = 16
-  val HeldOutViews  = 40
-  val HeldOutSeed   = 1000003L
-  val Climbers      = 2
-  val ClimbSteps    = 10
-  val Rounds        = 5
+  val HeldOutViews = 40
+  val HeldOutSeed = 1000003L
+  val Climbers = 2
+  val ClimbSteps = 10
+  val Rounds = 5
 
   /** Share of the budget that the search may use up. */
   val Margin = 0.5

@@ -19,15 +19,15 @@ object FitFeatures {
       options: DrawOptions,
       volume: CameraVolume = CameraVolume.default
   ): FitFeatures = {
-    val lone  = Convexity.of(scene)
+    val lone = Convexity.of(scene)
     val drawn =
       options.copy(cullBack = options.cullBack || lone.contains(Convexity.Solid), depthTest = lone.isEmpty)
-    val memory                        = TextureMemory.allocate(scene, base)
-    val states                        = StateTable(scene, memory, drawn).states
-    val texels                        = memory.uploads.map(u => u.base * TextureMemory.Unit + u.texels.length).maxOption.getOrElse(0)
-    val bounds                        = SceneBounds(scene, volume, base.width, base.height, drawn)
+    val memory = TextureMemory.allocate(scene, base)
+    val states = StateTable(scene, memory, drawn).states
+    val texels = memory.uploads.map(u => u.base * TextureMemory.Unit + u.texels.length).maxOption.getOrElse(0)
+    val bounds = SceneBounds(scene, volume, base.width, base.height, drawn)
     def store(needed: Int, most: Int) = if (bounds.whole) powerOfTwo(needed, 4).min(most) else most
-    val config                        = base.copy(
+    val config = base.copy(
       textureTexels = powerOfTwo(texels, 64),
       fixed = FixedState.of(states: _*),
       ranges = bounds.ranges,

@@ -24,7 +24,7 @@ final case class FitResult(
 
   /** What share of all views may be over, with a confidence of 95 %, when so many of so many were (Clopper and Pearson, 1934). */
   def overAtMost: Double = {
-    val n                 = heldOut.length
+    val n = heldOut.length
     def likely(p: Double) = (0 to heldOutOver).map { k =>
       (0 until k).map(i => (n - i).toDouble / (i + 1)).product * pow(p, k) * pow(1 - p, n - k)
     }.sum

@@ -42,10 +42,11 @@ final case class SceneBounds(scene: Scene, volume: CameraVolume, width: Int, hei
     else 1 + scene.triangles.flatMap(edges).maxOption.getOrElse(0.0) / max(camera.near, closest - radius)
 
   /** Repeats on either side of 0, after `frustum.driver.raster.RepeatRemoval`. */
-  private val repeats = scene.triangles.flatMap(t => Seq(farFromZero(t, _.s), farFromZero(t, _.t))).maxOption.getOrElse(0.0)
+  private val repeats =
+    scene.triangles.flatMap(t => Seq(farFromZero(t, _.s), farFromZero(t, _.t))).maxOption.getOrElse(0.0)
 
   private def farFromZero(t: Triangle, of: MeshVertex => Double): Double = {
-    val (low, high)     = (t.vertices.map(of).min, t.vertices.map(of).max)
+    val (low, high) = (t.vertices.map(of).min, t.vertices.map(of).max)
     def step(v: Double) = if (options.wrap == Wrap.Clamp) 0.0 else 4 * floor(v / 4 + 0.5)
     Seq(low, high).map(step).flatMap(o => Seq((low - o).abs, (high - o).abs)).max
   }
@@ -61,6 +62,6 @@ final case class SceneBounds(scene: Scene, volume: CameraVolume, width: Int, hei
   /** No triangle is ever cut, nor a vertex needed twice: the mesh's own numbers of both are enough. */
   def whole: Boolean = between && width / 2.0 + reach + 1 < 1024 && height / 2.0 + reach + 1 < 1024 && repeats < 2
 
-  def vertices: Int  = scene.triangles.flatMap(t => t.vertices.map(_ -> t.material)).distinct.length
+  def vertices: Int = scene.triangles.flatMap(t => t.vertices.map(_ -> t.material)).distinct.length
   def triangles: Int = scene.triangles.length
 }

@@ -27,7 +27,7 @@ object AttributeJudge {
 
   def judge(pass: FramePass, fragments: Iterable[LoggedFragment]): AttributeVerdict = {
     val coverage = ExactCoverage.of(pass)
-    val planes   = pass.triangles.map { t =>
+    val planes = pass.triangles.map { t =>
       new TriangleAttributes(IndexedSeq(t.v0, t.v1, t.v2).map(i => ScreenVertex.of(pass.vertices(i))))
     }
     fragments.foldLeft(Clean) { (sum, f) =>

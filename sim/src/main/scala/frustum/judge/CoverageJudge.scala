@@ -11,7 +11,7 @@ import frustum.reference.raster.{ExactCoverage, PixelRect}
   * @param twice   further drawings of a pixel that one triangle had drawn already
   */
 final case class CoverageVerdict(covered: Long, missing: Long, extra: Long, twice: Long) {
-  def wrong: Long                            = missing + extra + twice
+  def wrong: Long = missing + extra + twice
   def +(o: CoverageVerdict): CoverageVerdict =
     CoverageVerdict(covered + o.covered, missing + o.missing, extra + o.extra, twice + o.twice)
 }
@@ -23,9 +23,9 @@ object CoverageJudge {
   val Clean: CoverageVerdict = CoverageVerdict(0, 0, 0, 0)
 
   def judge(pass: FramePass, fragments: Iterable[LoggedFragment], config: RasterConfig): CoverageVerdict = {
-    val rect       = PixelRect.of(pass.region, config)
+    val rect = PixelRect.of(pass.region, config)
     val byTriangle = fragments.groupBy(_.triangle)
-    val unknown    =
+    val unknown =
       byTriangle.collect { case (t, f) if t < 0 || t >= pass.triangles.length => f.size.toLong }.sum
     val stamp = Array.fill(config.width * config.height)(-1)
     ExactCoverage.of(pass).zipWithIndex.foldLeft(Clean.copy(extra = unknown)) { case (sum, (exact, index)) =>
@@ -46,7 +46,7 @@ object CoverageJudge {
     exact.foreach(rect) { (x, y) => stamp(y * width + x) = mark; covered += 1 }
     drawn.foreach { f =>
       val inside = rect.contains(f.x, f.y)
-      val state  = if (inside) stamp(f.y * width + f.x) else -1
+      val state = if (inside) stamp(f.y * width + f.x) else -1
       if (state == mark) { seen += 1; stamp(f.y * width + f.x) = mark + 1 }
       else if (state == mark + 1) twice += 1
       else extra += 1

@@ -18,13 +18,13 @@ final case class DepthVerdict(primitiveWrong: Long, depthOrderWrong: Long) {
   * alpha that is tested is that of the texel the model read, combined with the vertex alpha of the reference.
   */
 final class DepthJudge(pass: FramePass, config: RasterConfig, memory: Array[Int]) {
-  private val pixels   = config.width * config.height
-  private val depth    = Array.fill(pixels)(65535)
-  private val winner   = Array.fill(pixels)(-1)
-  private val nearest  = Array.fill(pixels)(-1)
-  private val rect     = PixelRect.of(pass.region, config)
+  private val pixels = config.width * config.height
+  private val depth = Array.fill(pixels)(65535)
+  private val winner = Array.fill(pixels)(-1)
+  private val nearest = Array.fill(pixels)(-1)
+  private val rect = PixelRect.of(pass.region, config)
   private val coverage = ExactCoverage.of(pass)
-  private val planes   = pass.triangles.map { t =>
+  private val planes = pass.triangles.map { t =>
     new TriangleAttributes(IndexedSeq(t.v0, t.v1, t.v2).map(i => ScreenVertex.of(pass.vertices(i))))
   }
 
@@ -32,7 +32,7 @@ final class DepthJudge(pass: FramePass, config: RasterConfig, memory: Array[Int]
   def judge(fragments: Iterable[LoggedFragment], reference: ReferenceFrame): DepthVerdict = {
     fragments.foreach(replay)
     val primitives = (0 until pixels).count(i => winner(i) != reference.winner(i))
-    val order      = (0 until pixels).count { i =>
+    val order = (0 until pixels).count { i =>
       val (mine, its) = (nearest(i), reference.nearest(i))
       mine != its && mine >= 0 && its >= 0 && trueDepth(mine, i) > trueDepth(its, i)
     }
@@ -44,8 +44,8 @@ final class DepthJudge(pass: FramePass, config: RasterConfig, memory: Array[Int]
 
   private def replay(f: LoggedFragment): Unit =
     if (coverage.isDefinedAt(f.triangle) && coverage(f.triangle).doubleArea > 0 && rect.contains(f.x, f.y)) {
-      val state  = pass.states(pass.triangles(f.triangle).state)
-      val i      = f.y * config.width + f.x
+      val state = pass.states(pass.triangles(f.triangle).state)
+      val i = f.y * config.width + f.x
       val passed = state.depth.passes(f.depth, depth(i)) && Shading.passesAlphaTest(state, alpha(state, f))
       if (passed) {
         winner(i) = f.triangle

@@ -24,15 +24,15 @@ object EndToEndJudge {
     * @return the verdict, and the picture it was judged against as 0xRRGGBB
     */
   def judge(frame: PreparedFrame, fragments: Seq[Iterable[LoggedFragment]]): (EndToEndVerdict, Array[Int]) = {
-    val width          = frame.config.width
-    def empty: Layers  = Array.fill(width * frame.config.height)(ArrayBuffer.empty)
+    val width = frame.config.width
+    def empty: Layers = Array.fill(width * frame.config.height)(ArrayBuffer.empty)
     val (drawn, truth) = (empty, empty)
     for ((pass, log) <- frame.passes.zip(fragments); f <- log) {
       val textured = Shading.textureOf(pass.states(pass.triangles(f.triangle).state)).isDefined
       drawn(f.y * width + f.x) += Option.when(textured)((f.texelS, f.texelT))
     }
     val reference = ReferenceRaster.drawEndToEnd(frame, f => truth(f.y * width + f.x) += f.texel)
-    val verdict   = drawn.zip(truth).foldLeft(EndToEndVerdict(0, 0)) { case (sum, (mine, its)) =>
+    val verdict = drawn.zip(truth).foldLeft(EndToEndVerdict(0, 0)) { case (sum, (mine, its)) =>
       if (mine.length != its.length) sum + EndToEndVerdict((mine.length - its.length).abs, 0)
       else sum + EndToEndVerdict(0, mine.zip(its).count { case (a, b) => a.isDefined && a != b })
     }

@@ -21,8 +21,8 @@ final class Flip(width: Int, height: Int, pixelsPerDegree: Double = Flip.PixelsP
   def errors(reference: Array[Int], test: Array[Int]): Array[Double] = {
     require(reference.length == pixels && test.length == pixels, s"pictures are not $width x $height")
     val Seq(a, b) = Seq(reference, test).map(opponent)
-    val color     = colorDifference(a, b)
-    val feature   = featureDifference(a(0), b(0))
+    val color = colorDifference(a, b)
+    val feature = featureDifference(a(0), b(0))
     Array.tabulate(pixels)(i => pow(color(i), 1 - feature(i)))
   }
 
@@ -42,7 +42,7 @@ final class Flip(width: Int, height: Int, pixelsPerDegree: Double = Flip.PixelsP
     Array.tabulate(pixels) { i =>
       def perceived(p: Array[Plane]) =
         Flip.huntLab(Flip.rgbOfOpponent(Array(p(0)(i), p(1)(i), p(2)(i))).map(_.max(0).min(1)))
-      val e    = pow(Flip.hyab(perceived(fa), perceived(fb)), Flip.Qc)
+      val e = pow(Flip.hyab(perceived(fa), perceived(fb)), Flip.Qc)
       val knee = 0.4 * Flip.MaxColorError
       if (e < knee) 0.95 / knee * e else 0.95 + (e - knee) / (Flip.MaxColorError - knee) * 0.05
     }
@@ -57,27 +57,27 @@ final class Flip(width: Int, height: Int, pixelsPerDegree: Double = Flip.PixelsP
         samples(radius)(x => exp(-Pi * Pi * x * x / (b * pixelsPerDegree * pixelsPerDegree)))
       }
       val weights = gaussians.map { case (a, b) => a * sqrt(Pi / b) }
-      val total   = kernels.zip(weights).map { case (k, w) => w * k.sum * k.sum }.sum
-      val parts   = kernels.zip(weights).map { case (k, w) => convolve(plane, k, k).map(_ * w / total) }
+      val total = kernels.zip(weights).map { case (k, w) => w * k.sum * k.sum }.sum
+      val parts = kernels.zip(weights).map { case (k, w) => convolve(plane, k, k).map(_ * w / total) }
       parts.reduce((x, y) => Array.tabulate(pixels)(i => x(i) + y(i)))
     }.toArray
   }
 
   /** Section 4.2: edges and points, by first and second derivatives of a Gaussian as wide as the eye sees. */
   private def featureDifference(a: Plane, b: Plane): Plane = {
-    val sigma            = 0.5 * 0.082 * pixelsPerDegree
-    val radius           = (3 * sigma).ceil.toInt
+    val sigma = 0.5 * 0.082 * pixelsPerDegree
+    val radius = (3 * sigma).ceil.toInt
     def gauss(x: Double) = exp(-x * x / (2 * sigma * sigma))
-    val smooth           = { val k = samples(radius)(gauss); k.map(_ / k.sum) }
+    val smooth = { val k = samples(radius)(gauss); k.map(_ / k.sum) }
     // The positive weights of the whole kernel add up to 1, the negative ones to -1.
     def balanced(k: Array[Double]) = {
       val (positive, negative) = (k.filter(_ > 0).sum, -k.filter(_ < 0).sum)
       k.map(v => if (v > 0) v / positive else v / negative)
     }
-    val edge                                          = balanced(samples(radius)(x => -x * gauss(x)))
-    val point                                         = balanced(samples(radius)(x => (x * x / (sigma * sigma) - 1) * gauss(x)))
+    val edge = balanced(samples(radius)(x => -x * gauss(x)))
+    val point = balanced(samples(radius)(x => (x * x / (sigma * sigma) - 1) * gauss(x)))
     def strength(image: Plane, kernel: Array[Double]) = {
-      val y        = image.map(v => (v + 16) / 116)
+      val y = image.map(v => (v + 16) / 116)
       val (gx, gy) = (convolve(y, kernel, smooth), convolve(y, smooth, kernel))
       Array.tabulate(pixels)(i => hypot(gx(i), gy(i)))
     }
@@ -97,7 +97,7 @@ final class Flip(width: Int, height: Int, pixelsPerDegree: Double = Flip.PixelsP
       val (to, radius) = (new Array[Double](pixels), kernel.length / 2)
       for (line <- 0 until pixels / length; p <- 0 until length) {
         var sum = 0.0
-        var k   = 0
+        var k = 0
         while (k < kernel.length) {
           sum += kernel(k) * from(at(line, (p + k - radius).max(0).min(length - 1)))
           k += 1
@@ -122,7 +122,7 @@ object Flip {
     Array(2613072 / 12288897.0, 8788810 / 12288897.0, 887015 / 12288897.0),
     Array(1425312 / 73733382.0, 8788810 / 73733382.0, 70074185 / 73733382.0)
   )
-  private val white    = xyzOfRgb.map(_.sum)
+  private val white = xyzOfRgb.map(_.sum)
   private val rgbOfXyz = inverse(xyzOfRgb)
 
   private def times(m: Array[Array[Double]], v: Triple): Triple =
@@ -158,7 +158,7 @@ object Flip {
   /** CIE L*a*b* with chroma scaled by lightness (the Hunt effect). */
   private def huntLab(rgb: Triple): Triple = {
     val delta = 6.0 / 29
-    val f     =
+    val f =
       relative(rgb).map(t => if (t > delta * delta * delta) cbrt(t) else t / (3 * delta * delta) + 4.0 / 29)
     val l = 116 * f(1) - 16
     Array(l, 0.01 * l * 500 * (f(0) - f(1)), 0.01 * l * 200 * (f(1) - f(2)))

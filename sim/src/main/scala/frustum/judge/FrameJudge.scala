@@ -36,11 +36,11 @@ final case class FrameVerdict(
 final class FrameJudge(model: Option[RasterConfig => PassRenderer], simulated: Boolean) {
 
   def judge(frame: PreparedFrame, rendered: RenderedFrame): FrameVerdict = {
-    val config                      = frame.config
-    val memory                      = ReferenceRaster.texelMemory(frame.textures)
-    val image                       = new Array[Int](config.width * config.height)
-    val logs                        = draw(frame, memory, image)
-    val reference                   = ReferenceRaster.draw(frame).rgb888
+    val config = frame.config
+    val memory = ReferenceRaster.texelMemory(frame.textures)
+    val image = new Array[Int](config.width * config.height)
+    val logs = draw(frame, memory, image)
+    val reference = ReferenceRaster.draw(frame).rgb888
     val (endToEnd, endToEndPicture) = EndToEndJudge.judge(frame, logs)
     FrameVerdict(
       // The reference's own picture need not be squeezed into RGB565.
@@ -57,8 +57,8 @@ final class FrameJudge(model: Option[RasterConfig => PassRenderer], simulated: B
   /** A frame as its model draws it, without an engine's picture. */
   def drawModel(frame: PreparedFrame): (ModelVerdict, Array[Int], Seq[IndexedSeq[LoggedFragment]]) = {
     val memory = ReferenceRaster.texelMemory(frame.textures)
-    val image  = new Array[Int](frame.config.width * frame.config.height)
-    val logs   = draw(frame, memory, image)
+    val image = new Array[Int](frame.config.width * frame.config.height)
+    val logs = draw(frame, memory, image)
     (judgeModel(frame, logs, memory), Picture.ofRgb565(image), logs)
   }
 

@@ -24,9 +24,9 @@ object MesaJudge {
     Option.unless(frame.passes.exists(_.states.exists(_.alphaRef > 0))) {
       val config = frame.config
       frame.passes.zip(logs).map { case (pass, log) =>
-        val shown  = mesa.triangles(pass, config, depth = true)
+        val shown = mesa.triangles(pass, config, depth = true)
         val texels = mesa.texels(pass, config, depth = true)
-        val mine   = visible(
+        val mine = visible(
           pass.triangles.map(t => pass.states(t.state)),
           log,
           config.width * config.height,
@@ -35,10 +35,10 @@ object MesaJudge {
         val planes = pass.triangles.map { t =>
           new TriangleAttributes(IndexedSeq(t.v0, t.v1, t.v2).map(i => ScreenVertex.of(pass.vertices(i))))
         }
-        val rect          = PixelRect.of(pass.region, config)
-        val pixels        = shown.indices.filter(i => rect.contains(i % config.width, i / config.width))
+        val rect = PixelRect.of(pass.region, config)
+        val pixels = shown.indices.filter(i => rect.contains(i % config.width, i / config.width))
         val (same, other) = pixels.partition(i => shown(i) == mine(i).fold(-1)(_.triangle))
-        val wrong         = for {
+        val wrong = for {
           i <- same
           f <- mine(i)
           state = pass.states(pass.triangles(f.triangle).state)

@@ -11,11 +11,11 @@ final case class PongFigures(frames: Int, pixelsDifferent: Long, rays: RayCounts
 
   /** What must be zero and is not. */
   def failures: Seq[String] = Seq(
-    pixelsDifferent            -> "pixels differ from the model's",
+    pixelsDifferent -> "pixels differ from the model's",
     rays.silhouettePixelsWrong -> "pixels of silhouettes are wrong",
-    rays.shadowPixelsWrong     -> "pixels of shadows are wrong",
-    rays.objectPixelsWrong     -> "pixels show the wrong object",
-    rays.checkerCellsWrong     -> "pixels show the wrong checker cell"
+    rays.shadowPixelsWrong -> "pixels of shadows are wrong",
+    rays.objectPixelsWrong -> "pixels show the wrong object",
+    rays.checkerCellsWrong -> "pixels show the wrong checker cell"
   ).collect { case (n, what) if n > 0 => s"$n $what" }
 }
 

@@ -16,20 +16,20 @@ final class PongJudge(config: PongPipelineConfig) {
   import config.{mode, scene}
 
   /** A model keeps the state of its set-up: one for each thread. */
-  private val rays  = ThreadLocal.withInitial(() => new RayPicture(scene, mode.width, mode.height))
+  private val rays = ThreadLocal.withInitial(() => new RayPicture(scene, mode.width, mode.height))
   private val model = new PongModel(config)
   private val judge = new RayJudge(scene, mode.width, mode.height)
 
   private case class Expected(atPins: Array[Int], counts: RayCounts)
-  private var last    = Option.empty[(PongGame, Future[Expected])]
+  private var last = Option.empty[(PongGame, Future[Expected])]
   private var pending = Vector.empty[Future[PongFigures]]
-  private var sum     = PongFigures.none
+  private var sum = PongFigures.none
 
   private def expect(game: PongGame): Future[Expected] = last.filter(_._1 == game).map(_._2).getOrElse {
     val made = Future {
       val motion = config.motion(game.motion)
       val pixels = rays.get()(motion)
-      val rgb    = pixels.map(_.rgb)
+      val rgb = pixels.map(_.rgb)
       Expected(model.atPins(i => rgb(i), game), judge(motion, pixels.map(_.objectId), rgb))
     }
     last = Some((game, made))

@@ -7,7 +7,7 @@ import frustum.reference.ray.ExactRay
   * colour or, in shadow, half of it; any other counts as a wrong cell or texel.
   */
 class RayJudge(scene: RayScene, width: Int, height: Int) {
-  private val exact       = new ExactRay(scene)
+  private val exact = new ExactRay(scene)
   private val firstSphere = 2 + scene.quads.size
 
   def apply(motion: RayMotion, objects: Array[Int], rgb: Array[Int]): RayCounts = {
@@ -16,11 +16,11 @@ class RayJudge(scene: RayScene, width: Int, height: Int) {
       s"${rgb.length} pixels for $width x $height"
     )
     var silhouette, shadow, wrong, cells, over = 0
-    var most                                   = 0.0
-    val want                                   = new Array[Int](width * height)
+    var most = 0.0
+    val want = new Array[Int](width * height)
     for (v <- 0 until height; h <- 0 until width) {
-      val at   = v * width + h
-      val e    = exact(motion, h, v)
+      val at = v * width + h
+      val e = exact(motion, h, v)
       val seen = Seq(16, 8, 0).map(s => rgb(at) >> s & 255)
       want(at) = Seq(16, 8, 0).zip(e.rgb).map { case (s, c) => scala.math.round(c).toInt << s }.sum
       if ((objects(at) >= firstSphere) != (e.objectId >= firstSphere)) silhouette += 1

@@ -22,21 +22,21 @@ final case class TemporalVerdict(swimRms: Double, swimMost: Double, popsPercent:
   * Truth is the scene as it was before vertices were rounded.
   */
 object TemporalJudge {
-  val Config        = RasterConfig(width = 120, height = 160)
-  val SubpixelBits  = 4
+  val Config = RasterConfig(width = 120, height = 160)
+  val SubpixelBits = 4
   private val Steps = 16
-  private val Pop   = 0.5
+  private val Pop = 0.5
 
   /** @param bits sub-pixel bits that vertices are rounded to, 4 at most */
   def pan(scene: Scene, config: RasterConfig, bits: Int): TemporalVerdict = {
     val options = DrawOptions(None, cullBack = false, Wrap.Repeat, 0)
-    val frame   = Driver.prepare(scene, scene.camera, options, config, 0)
-    val errors  =
+    val frame = Driver.prepare(scene, scene.camera, options, config, 0)
+    val errors =
       (0 to Steps).map(k => texelErrors(frame.clipTriangles.map(shifted(_, k / 16.0, config)), config, bits))
     val steps = for {
       (before, after) <- errors.zip(errors.tail)
       (place, (u, v)) <- before
-      (u2, v2)        <- after.get(place)
+      (u2, v2) <- after.get(place)
     } yield (u2 - u).abs.max((v2 - v).abs)
     if (steps.isEmpty) TemporalVerdict(0, 0, 0)
     else TemporalVerdict(
@@ -48,7 +48,7 @@ object TemporalJudge {
 
   private def shifted(t: ClipTriangle, pixels: Double, config: RasterConfig): ClipTriangle =
     t.copy(v = t.v.map { v =>
-      val c        = v.clip
+      val c = v.clip
       val (dx, dy) = (pixels * cos(Pi / 6), pixels * sin(Pi / 6))
       v.copy(clip =
         new Vector4d(c.x + 2 * dx / config.width * c.w, c.y + 2 * dy / config.height * c.w, c.z, c.w)
@@ -61,13 +61,13 @@ object TemporalJudge {
       config: RasterConfig,
       bits: Int
   ): mutable.Map[(Int, Int, Int), (Double, Double)] = {
-    val viewport     = new Viewport(config)
-    val divide       = Divide.of(config)
-    val step         = 1 << 4 - bits
+    val viewport = new Viewport(config)
+    val divide = Divide.of(config)
+    val step = 1 << 4 - bits
     def snap(v: Int) = (v + step / 2) / step * step
-    val offsets      = triangles.map(RepeatRemoval.offset)
-    val truths       = triangles.map(t => new TriangleAttributes(t.v.map(ScreenVertex.of(_, config))))
-    val found        = mutable.HashMap.empty[(Int, Int, Int), (Double, Double)]
+    val offsets = triangles.map(RepeatRemoval.offset)
+    val truths = triangles.map(t => new TriangleAttributes(t.v.map(ScreenVertex.of(_, config))))
+    val found = mutable.HashMap.empty[(Int, Int, Int), (Double, Double)]
     // Some hundred triangles at a time, as the store holds them.
     for (part <- triangles.indices.grouped(config.maxVertices / 3)) {
       val vertices = part.flatMap(n => triangles(n).v.map(viewport.pack(_, offsets(n))))
@@ -85,7 +85,7 @@ object TemporalJudge {
         new ScreenFragments(config)({ f =>
           val n = part.head + f.triangle
           for (texture <- triangles(n).state.texture) {
-            val (truth, offset)                                       = (truths(n)(f.x, f.y), offsets(n))
+            val (truth, offset) = (truths(n)(f.x, f.y), offsets(n))
             def off(plane: Int, exact: Double, whole: Int, size: Int) =
               (divide(plane, f.q) / 131072.0 - (exact - whole)) * size
             found((n, f.x, f.y)) =

@@ -35,7 +35,7 @@ final case class VoxelCounts(
 
   def failures: Seq[String] = Seq(
     "wrong block" -> blocksWrong,
-    "wrong face"  -> facesWrong,
+    "wrong face" -> facesWrong,
     "wrong texel" -> texelsWrong
   ).collect { case (what, n) if n > 0 => s"$n rays see a $what" }
 }
@@ -48,13 +48,13 @@ final class VoxelJudge(model: VoxelModel) {
 
   def ray(camera: VoxelCamera, pixel: VoxelPixel): VoxelCounts = {
     val direction = VoxelJudge.direction(pixel.ray, config.slopeBits)
-    val exact     =
+    val exact =
       new ExactMarch(config, assets.table, world, camera.eye.axes, direction, pixel.ray.mirrored).march()
     def differs(same: (Int, Int) => Boolean) =
       exact.length != pixel.seen.length || !exact.indices.forall(i => same(i, i))
-    val block           = differs((i, k) => exact(i).sameBlock(pixel.seen(k)))
-    val face            = !block && differs((i, k) => exact(i).sameFace(pixel.seen(k)))
-    val texel           = !block && !face && differs((i, k) => exact(i) == pixel.seen(k))
+    val block = differs((i, k) => exact(i).sameBlock(pixel.seen(k)))
+    val face = !block && differs((i, k) => exact(i).sameFace(pixel.seen(k)))
+    val texel = !block && !face && differs((i, k) => exact(i) == pixel.seen(k))
     def one(b: Boolean) = if (b) 1L else 0L
     VoxelCounts(1, pixel.steps, plain.march(pixel.ray)(_ => ()), one(block), one(face), one(texel))
   }
@@ -64,7 +64,7 @@ final class VoxelJudge(model: VoxelModel) {
     val ideal = new IdealVoxelPicture(config, assets, world, view)
     pixels.indices.foldLeft(VoxelCounts()) { (sum, n) =>
       val direction = VoxelJudge.direction(pixels(n).ray, config.slopeBits).map(_.toDouble)
-      val error     = ideal.directionError(n % config.width, n / config.width, direction)
+      val error = ideal.directionError(n % config.width, n / config.width, direction)
       sum + ray(camera, pixels(n)).copy(maxDirectionErrorPixels = error)
     }
   }

@@ -11,12 +11,12 @@ import scala.util.Random
   */
 object BlendPlan {
   private val config = RasterConfig(19, 21, 3, 3)
-  private val words  = config.tileWidth * config.tileHeight
+  private val words = config.tileWidth * config.tileHeight
 
   def apply(seed: Long): MutationPlan = {
-    val r     = new Random(seed)
-    val time  = new Timeline
-    var t     = 0
+    val r = new Random(seed)
+    val time = new Timeline
+    var t = 0
     var mixed = 0L // whether what entered a clock ago goes on
 
     /** What enters at `t`: port values; whether it is to be written; whether it is the mark. */
@@ -25,7 +25,7 @@ object BlendPlan {
       time.drive(t, "io_up_valid" -> valid)
       time.drive(t, f.getOrElse(Map.empty).map { case (p, v) => s"io_up_payload_$p" -> v }.toSeq: _*)
       time.drive(t + 1, "io_passed" -> (if (passed) 1L else 0L))
-      time.expect(t + 1, "io_busy"  -> (valid | mixed))
+      time.expect(t + 1, "io_busy" -> (valid | mixed))
       mixed = if (passed) valid else 0
       time.expect(t + 2, "io_tileEnd_valid" -> (if (mark) 1L else 0L))
       if (mark) time.expect(t + 2, "io_tileEnd_payload" -> bank.toLong)
@@ -40,7 +40,7 @@ object BlendPlan {
       var cleared = t
       // Each bank is drawn all over while the other is swept.
       for ((places, n) <- Seq(4, words, words, 5, words, words).zipWithIndex) {
-        val bank   = n % 2
+        val bank = n % 2
         val buffer = Array.fill(words)(clear)
         for (at <- BlendPlan.places(r, places, if (blend) 3 else 2, 180)) {
           if (r.nextInt(5) == 0) idle(1)
@@ -79,11 +79,11 @@ object BlendPlan {
 
   private def payload(at: Int, bank: Int, color: Int, a: Int, mark: Boolean): Map[String, Long] = Map(
     "address" -> at.toLong,
-    "bank"    -> bank.toLong,
-    "r"       -> (color >> 11).toLong,
-    "g"       -> (color >> 5 & 63).toLong,
-    "b"       -> (color & 31).toLong,
-    "a"       -> a.toLong,
+    "bank" -> bank.toLong,
+    "r" -> (color >> 11).toLong,
+    "g" -> (color >> 5 & 63).toLong,
+    "b" -> (color & 31).toLong,
+    "a" -> a.toLong,
     "tileEnd" -> (if (mark) 1L else 0L)
   )
 

@@ -8,21 +8,21 @@ import scala.util.Random
 /** The depth test, as `DepthTestTest` has it: every function, written and not, tile after tile, with depths that meet. */
 object DepthStagePlan {
   private val config = RasterConfig(19, 21, 3, 3)
-  private val words  = config.tileWidth * config.tileHeight
+  private val words = config.tileWidth * config.tileHeight
 
   def apply(seed: Long): MutationPlan = {
-    val r         = new Random(seed)
-    val time      = new Timeline
-    val depth     = new model.raster.fragment.DepthStage(words)
+    val r = new Random(seed)
+    val time = new Timeline
+    val depth = new model.raster.fragment.DepthStage(words)
     var (t, bank) = (time.sweep(0, words, None)((_, _) => ()), 0)
 
     /** What enters at `t`. */
     def enter(f: Option[DepthItem], state: RenderState): Unit = {
-      val valid    = if (f.isDefined) 1L else 0L
-      time.drive(t, "io_up_valid"    -> valid)
+      val valid = if (f.isDefined) 1L else 0L
+      time.drive(t, "io_up_valid" -> valid)
       time.expect(t, "io_down_valid" -> valid)
-      time.expect(t + 1, "io_busy"   -> valid)
-      time.drive(t + 1, "io_z"       -> f.fold(r.nextInt(65536))(_.z).toLong)
+      time.expect(t + 1, "io_busy" -> valid)
+      time.drive(t + 1, "io_z" -> f.fold(r.nextInt(65536))(_.z).toLong)
       for (i <- f) {
         val channels =
           Seq("r" -> r.nextInt(32), "g" -> r.nextInt(64), "b" -> r.nextInt(32), "a" -> r.nextInt(32))
@@ -35,7 +35,7 @@ object DepthStagePlan {
         )
         time.expect(t, channels.map { case (c, v) => s"io_down_payload_$c" -> v }: _*)
         time.expect(t, "io_down_payload_address" -> i.at.toLong, "io_down_payload_bank" -> bank.toLong)
-        time.expect(t + 1, "io_passed"           -> (if (i.end || depth(i.at, i.z, state)) 1L else 0L))
+        time.expect(t + 1, "io_passed" -> (if (i.end || depth(i.at, i.z, state)) 1L else 0L))
       }
       t += 1
     }
@@ -43,8 +43,8 @@ object DepthStagePlan {
     // Three tiles for each state, so that both banks see all kinds.
     for {
       function <- 0 to 7
-      write    <- Seq(true, false)
-      items    <- Seq(DepthItem.close(r, 200), DepthItem.far(r, 200), DepthItem.far(r, 200))
+      write <- Seq(true, false)
+      items <- Seq(DepthItem.close(r, 200), DepthItem.far(r, 200), DepthItem.far(r, 200))
     } {
       val state = RenderState(depth = DepthFunction.decode(function), depthWrite = write)
       val start = t
@@ -63,7 +63,7 @@ object DepthStagePlan {
         time.drive(
           clock,
           "io_state_depthFunction" -> function.toLong,
-          "io_state_depthWrite"    -> (if (write) 1L else 0L)
+          "io_state_depthWrite" -> (if (write) 1L else 0L)
         )
       time.sweep(t + 1, words, Some(bank))((_, _) => ())
       bank = 1 - bank
@@ -81,7 +81,7 @@ object DepthStagePlan {
     }
     depth.clear()
     val swept = time.sweep(t, words, None)((_, _) => ())
-    val less  = RenderState(depth = DepthFunction.Less)
+    val less = RenderState(depth = DepthFunction.Less)
     while (t < swept) enter(None, less)
     for (_ <- 0 to 1) {
       val start = t

@@ -22,7 +22,7 @@ final class EdgeJobs(config: RasterConfig, r: Random) {
     ),
     "slivers with gaps between their rows" -> (() =>
       jobs(800) {
-        val (x, y)   = point(-64, 320)
+        val (x, y) = point(-64, 320)
         val (dx, dy) = (r.between(-600, 600), r.between(-600, 600))
         Seq((x, y), (x + dx, y + dy), (x + dx + r.between(-12, 13), y + dy + r.between(-12, 13)))
       }
@@ -34,7 +34,7 @@ final class EdgeJobs(config: RasterConfig, r: Random) {
         r.shuffle(Seq((x0, y0), (x1, y1), if (r.nextBoolean()) (x0, y1) else (r.between(-64, 320), y1)))
       }
     ),
-    "edges through pixel centres"       -> (() => jobs(1000)(Seq.fill(3)(centre))),
+    "edges through pixel centres" -> (() => jobs(1000)(Seq.fill(3)(centre))),
     "edges that cut off the whole tile" -> (() =>
       jobs(600) {
         val (dx, dy) = (r.between(-400, 400), r.between(-400, 400))
@@ -44,8 +44,8 @@ final class EdgeJobs(config: RasterConfig, r: Random) {
   )
 
   private def point(from: Int, until: Int) = (r.between(from, until), r.between(from, until))
-  private def far                          = point(-16384, 16384)
-  private def centre                       = (16 * r.between(-4, 20) + 8, 16 * r.between(-4, 20) + 8)
+  private def far = point(-16384, 16384)
+  private def centre = (16 * r.between(-4, 20) + 8, 16 * r.between(-4, 20) + 8)
 
   private def jobs(count: Int)(vertices: => Seq[(Int, Int)]): Seq[EdgeJob] =
     Iterator.continually {
@@ -55,9 +55,9 @@ final class EdgeJobs(config: RasterConfig, r: Random) {
 
   /** A triangle of vertices in 1/16 pixel from the tile's corner; none where it faces away or is degenerate. */
   private def job(vertices: Seq[(Int, Int)], lastColumn: Int, lastRow: Int): Option[EdgeJob] = {
-    val edges  = vertices.zip(vertices.tail :+ vertices.head)
-    val stepX  = edges.map { case ((_, y0), (_, y1)) => y0 - y1 }
-    val stepY  = edges.map { case ((x0, _), (x1, _)) => x1 - x0 }
+    val edges = vertices.zip(vertices.tail :+ vertices.head)
+    val stepX = edges.map { case ((_, y0), (_, y1)) => y0 - y1 }
+    val stepY = edges.map { case ((x0, _), (x1, _)) => x1 - x0 }
     val values = edges.indices.map { k =>
       val (x, y) = vertices(k)
       stepX(k).toLong * ((if (stepX(k) < 0) 16 * lastColumn else 0) + 8 - x) + stepY(k).toLong * (8 - y)
@@ -74,7 +74,7 @@ object EdgeJobs {
 
   /** Clocks, counted from the first, of the six steps and of the three values, each of which follows its edge's last step. */
   def times(r: Random): (Seq[Int], Seq[Int]) = {
-    val delay  = r.between(1, 14)
+    val delay = r.between(1, 14)
     val stepAt = (0 to 4).scanLeft(0)((at, _) => at + r.between(1, 5))
     val edgeAt = (0 to 2).scanLeft(-1)((at, k) => max(at + 1, stepAt(2 * k + 1) + delay)).tail
     (stepAt, edgeAt)

@@ -10,7 +10,7 @@ object EdgeWalkerPlan {
   private val config = RasterConfig()
 
   def apply(seed: Long): MutationPlan = {
-    val r    = new Random(seed)
+    val r = new Random(seed)
     val jobs = new EdgeJobs(config, r).families.flatMap { case (_, make) => make() }
     MutationPlan(
       "EdgeWalker",
@@ -40,13 +40,13 @@ object EdgeWalkerPlan {
       values("io_lastColumn" -> r.nextInt(config.tileWidth), "io_lastRow" -> r.nextInt(config.tileHeight))
     val load = (0 to edgeAt.last).map { clock =>
       val (step, edge) = (stepAt.indexOf(clock), edgeAt.indexOf(clock))
-      val slope        =
+      val slope =
         if (step < 0) r.between(-65535, 65536) else (if (step % 2 == 0) job.stepX else job.stepY) (step / 2)
       MutationStep(
         other ++ values(
-          "io_step_valid"         -> (if (step < 0) 0 else 1),
-          "io_step_payload"       -> slope,
-          "io_edge_valid"         -> (if (edge < 0) 0 else 1),
+          "io_step_valid" -> (if (step < 0) 0 else 1),
+          "io_step_payload" -> slope,
+          "io_edge_valid" -> (if (edge < 0) 0 else 1),
           "io_edge_payload_index" -> edge.max(0),
           "io_edge_payload_value" -> (if (edge < 0) r.nextInt() else job.values(edge))
         )

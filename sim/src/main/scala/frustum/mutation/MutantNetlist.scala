@@ -16,8 +16,8 @@ object UnitPort {
 /** The netlist with all of a unit's mutants: `mutsel` tells which one it is, 0 none. */
 final class MutantNetlist(name: String, ports: Seq[UnitPort], file: String) extends BlackBox {
   setDefinitionName(name)
-  val clk, reset              = in Bool ()
-  val mutsel                  = in UInt (MutantNetlist.SelectBits bits)
+  val clk, reset = in Bool ()
+  val mutsel = in UInt (MutantNetlist.SelectBits bits)
   val port: Map[String, Bits] = ports.map { p =>
     val bits = Bits(p.width bits).setName(p.name)
     p.name -> (if (p.isInput) in(bits) else out(bits))
@@ -29,5 +29,5 @@ final class MutantNetlist(name: String, ports: Seq[UnitPort], file: String) exte
 
 object MutantNetlist {
   val SelectBits = 12
-  val Most: Int  = (1 << SelectBits) - 1
+  val Most: Int = (1 << SelectBits) - 1
 }

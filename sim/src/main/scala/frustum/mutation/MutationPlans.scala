@@ -3,9 +3,9 @@ package frustum.mutation
 /** The units that are put to the test, by what they are called on the command line. */
 object MutationPlans {
   val all: Seq[(String, Long => MutationPlan)] = Seq(
-    "edge-walker"        -> EdgeWalkerPlan.apply,
+    "edge-walker" -> EdgeWalkerPlan.apply,
     "perspective-divide" -> PerspectiveDividePlan.apply,
-    "depth-test"         -> DepthStagePlan.apply,
-    "blend"              -> BlendPlan.apply
+    "depth-test" -> DepthStagePlan.apply,
+    "blend" -> BlendPlan.apply
   )
 }

@@ -31,7 +31,7 @@ final class MutationRun(yosys: Tool, folder: Path, say: String => Unit) {
     val (ports, mutants) = mutations.make(plan.name, count, seed)(plan.unit())
     say(s"${plan.name}: ${mutants.length} mutants, ${plan.steps.length} steps")
     val file = folder.resolve(s"${plan.name}.mutants.v").toAbsolutePath.toString
-    val sim  = SimConfig.withConfig(EngineSim.spinalConfig).allOptimisation.workspacePath(folder.toString)
+    val sim = SimConfig.withConfig(EngineSim.spinalConfig).allOptimisation.workspacePath(folder.toString)
       .workspaceName(s"${plan.name}-sim").compile(new MutationBench(plan, ports, file))
     var kills = Seq.empty[Mutant]
     sim.doSim("mutants", seed.toInt) { dut =>
@@ -73,6 +73,6 @@ object MutationRun {
   private val Prelude = 777L
 
   /** Clocks between two looks, and looks until a run that goes on and on is given up. */
-  private val Chunk    = 256
+  private val Chunk = 256
   private val Patience = 20000
 }

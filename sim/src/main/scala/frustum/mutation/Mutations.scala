@@ -23,7 +23,7 @@ final class Mutations(yosys: Tool, folder: Path) {
   /** Writes `<name>.mutants.v` and `.il`, with the port `mutsel`; gives the unit's ports and the mutants. */
   def make(name: String, count: Int, seed: Long)(unit: => Component): (Seq[UnitPort], Seq[Mutant]) = {
     require(count <= MutantNetlist.Most, s"$count mutants, at most ${MutantNetlist.Most}")
-    val ports  = UnitPort.of(UnitVerilog.write(folder, name)(unit))
+    val ports = UnitPort.of(UnitVerilog.write(folder, name)(unit))
     val coarse =
       "proc; flatten; opt -full; wreduce; opt_clean; memory_dff; memory_collect; pmuxtree; opt_clean"
     script(
@@ -43,8 +43,8 @@ final class Mutations(yosys: Tool, folder: Path) {
     )
     val mutants = list.tail.map(_.split(' ').toSeq).map { words =>
       def after(key: String) = words.indexOf(key) match { case -1 => ""; case i => words(i + 1) }
-      val by                 = if (after("-ctrlbit").isEmpty) "" else s" by ${after("-ctrlbit")}"
-      val place              = s"${after("-port")}[${after("-portbit")}$by]"
+      val by = if (after("-ctrlbit").isEmpty) "" else s" by ${after("-ctrlbit")}"
+      val place = s"${after("-port")}[${after("-portbit")}$by]"
       Mutant(words(words.indexOf("-ctrl") + 3).toInt, after("-mode"), after("-cell"), place, after("-wire"))
     }
     (ports, mutants)

@@ -20,8 +20,8 @@ object PerspectiveDividePlan {
       ))
 
   def apply(seed: Long): MutationPlan = {
-    val random                  = new Random(seed)
-    val in                      = inputs(random, 5000)
+    val random = new Random(seed)
+    val in = inputs(random, 5000)
     def word(v: Int, bits: Int) = v & (1L << bits) - 1
     MutationPlan(
       "PerspectiveDivide",
@@ -29,7 +29,7 @@ object PerspectiveDividePlan {
       in.flatMap { case (s, t, q) =>
         def step(valid: Boolean, s: Int, t: Int, q: Int) = MutationStep(
           values(
-            "io_up_valid"     -> (if (valid) 1 else 0),
+            "io_up_valid" -> (if (valid) 1 else 0),
             "io_up_payload_s" -> word(s, 32),
             "io_up_payload_t" -> word(t, 32),
             "io_up_payload_q" -> word(q, 32)

@@ -6,13 +6,13 @@ import scala.util.Random
 /** Steps of a unit that never waits, written down by clock. */
 final class Timeline {
   private val inputs, expected = mutable.Map.empty[Int, Map[String, BigInt]]
-  private var end              = 0
+  private var end = 0
 
   private def add(to: mutable.Map[Int, Map[String, BigInt]], clock: Int, ports: Seq[(String, Long)]): Unit = {
     to(clock) = to.getOrElse(clock, Map.empty) ++ MutationPlan.values(ports: _*)
     end = end.max(clock + 1)
   }
-  def drive(clock: Int, ports: (String, Long)*): Unit  = add(inputs, clock, ports)
+  def drive(clock: Int, ports: (String, Long)*): Unit = add(inputs, clock, ports)
   def expect(clock: Int, ports: (String, Long)*): Unit = add(expected, clock, ports)
 
   /** The resolver holds a bank in this clock without clearing any of it. */
@@ -20,9 +20,9 @@ final class Timeline {
     drive(
       clock,
       "io_clear_active" -> 1,
-      "io_clear_bank"   -> bank.toLong,
-      "io_clear_write"  -> 0,
-      "io_clear_read"   -> 0
+      "io_clear_bank" -> bank.toLong,
+      "io_clear_write" -> 0,
+      "io_clear_read" -> 0
     )
 
   /** Clears a bank of the tile memory, or both, word after word as the resolver does, two clocks each.
@@ -35,12 +35,12 @@ final class Timeline {
       val clock = from + 2 * a + write
       drive(
         clock,
-        "io_clear_all"          -> (if (bank.isEmpty) 1 else 0),
-        "io_clear_active"       -> (if (bank.isDefined) 1 else 0),
-        "io_clear_bank"         -> bank.getOrElse(0).toLong,
-        "io_clear_read"         -> (1 - write),
-        "io_clear_write"        -> write,
-        "io_clear_readAddress"  -> a,
+        "io_clear_all" -> (if (bank.isEmpty) 1 else 0),
+        "io_clear_active" -> (if (bank.isDefined) 1 else 0),
+        "io_clear_bank" -> bank.getOrElse(0).toLong,
+        "io_clear_read" -> (1 - write),
+        "io_clear_write" -> write,
+        "io_clear_readAddress" -> a,
         "io_clear_writeAddress" -> a
       )
       if (write == 1) read(clock, a)
@@ -59,10 +59,10 @@ object Timeline {
 
   /** What the resolver says while it holds no bank. */
   def idleClear(addressBits: Int): Seq[(String, Int)] = Seq(
-    "io_clear_bank"         -> 1,
-    "io_clear_read"         -> 1,
-    "io_clear_write"        -> 1,
-    "io_clear_readAddress"  -> addressBits,
+    "io_clear_bank" -> 1,
+    "io_clear_read" -> 1,
+    "io_clear_write" -> 1,
+    "io_clear_readAddress" -> addressBits,
     "io_clear_writeAddress" -> addressBits
   )
 }

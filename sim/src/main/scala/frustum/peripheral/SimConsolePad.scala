@@ -19,9 +19,9 @@ final class SimConsolePad(pins: ConsolePadPins, clock: ClockDomain) {
   /** Shortest and longest time between two falling edges within a byte, clocks. */
   var shortest, longest = 0L
 
-  private var bits                   = 0
-  private var selected               = false
-  private var sck                    = true
+  private var bits = 0
+  private var selected = false
+  private var sck = true
   private var clocks, lastFall: Long = 0
   pins.dat #= true
 
@@ -33,13 +33,13 @@ final class SimConsolePad(pins: ConsolePadPins, clock: ClockDomain) {
     else if (sck && !now) {
       val byte = (0xff +: answer).lift(bits / 8).getOrElse(0xff)
       pins.dat #= (byte >> bits % 8 & 1) == 1
-      if (bits                  % 8 > 0) {
+      if (bits % 8 > 0) {
         shortest = if (shortest == 0) clocks - lastFall else shortest.min(clocks - lastFall)
         longest = longest.max(clocks - lastFall)
       }
       lastFall = clocks
     } else if (!sck && now) {
-      if (bits                                                     % 8 == 0) asked += 0
+      if (bits % 8 == 0) asked += 0
       if (pins.cmd.toBoolean) asked(asked.length - 1) |= 1 << bits % 8
       bits += 1
     }

@@ -11,13 +11,13 @@ import spinal.core.sim._
 case class SimEventRecorder(kinds: Int, entriesLog2: Int = 15) extends Component {
   val io = new Bundle {
     val pulses = in Vec (Bool(), kinds)
-    val time   = in UInt (36 bits)
-    val count  = out(UInt(32 bits)).simPublic() // events since reset
+    val time = in UInt (36 bits)
+    val count = out(UInt(32 bits)).simPublic() // events since reset
   }
   val memory = Mem(Bits(64 bits), 1 << entriesLog2).simPublic()
-  val count  = RegInit(U(0, 32 bits))
-  val any    = io.pulses.asBits.orR
-  val kind   = io.pulses.zipWithIndex.map { case (pulse, i) => Mux(pulse, U(i, 3 bits), U(0, 3 bits)) }.reduce(_ | _)
+  val count = RegInit(U(0, 32 bits))
+  val any = io.pulses.asBits.orR
+  val kind = io.pulses.zipWithIndex.map { case (pulse, i) => Mux(pulse, U(i, 3 bits), U(0, 3 bits)) }.reduce(_ | _)
   memory.write(count.resize(entriesLog2), (io.time ## kind).resize(64), any)
   when(any)(count := count + 1)
   io.count := count

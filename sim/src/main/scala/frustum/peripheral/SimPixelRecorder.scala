@@ -13,12 +13,12 @@ import spinal.lib._
 case class SimPixelRecorder(config: RasterConfig, entriesLog2: Int = 17) extends Component {
   val io = new Bundle {
     val pixels = slave(Stream(ResolvedPixel(config)))
-    val stall  = in Bool ()
-    val time   = in UInt (36 bits)
-    val count  = out(UInt(32 bits)).simPublic() // pixels since reset
+    val stall = in Bool ()
+    val time = in UInt (36 bits)
+    val count = out(UInt(32 bits)).simPublic() // pixels since reset
   }
   val memory = Mem(Bits(64 bits), 1 << entriesLog2).simPublic()
-  val count  = RegInit(U(0, 32 bits))
+  val count = RegInit(U(0, 32 bits))
   io.pixels.ready := !io.stall
   val entry = io.time ## io.pixels.first ## io.pixels.tileX ## io.pixels.tileY ## io.pixels.color
   memory.write(count.resize(entriesLog2), entry.resize(64), io.pixels.fire)

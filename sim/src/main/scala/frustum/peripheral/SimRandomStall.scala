@@ -8,8 +8,8 @@ import spinal.core._
   * @param seed taken in the first clock after reset, not 0
   */
 class SimRandomStall(rate: UInt, seed: UInt) extends Area {
-  private val fresh              = RegNext(False) init True
-  private val state              = Reg(UInt(32 bits)) init 1
+  private val fresh = RegNext(False) init True
+  private val state = Reg(UInt(32 bits)) init 1
   private def mix(x: UInt): UInt = {
     val a = x ^ (x |<< 13)
     val b = a ^ (a |>> 17)

@@ -15,33 +15,33 @@ import spinal.lib._
   */
 case class SimTft(entriesLog2: Int = 18, gapLog2: Int = 10) extends Component {
   val io = new Bundle {
-    val pins  = slave(DisplayPins())
+    val pins = slave(DisplayPins())
     val count = out(UInt(32 bits)).simPublic() // entries so far
   }
-  val lanes  = SimTft.Lanes
+  val lanes = SimTft.Lanes
   val memory = Mem(Bits(16 * lanes bits), (1 << entriesLog2) / lanes).simPublic()
 
   val rising = io.pins.sck && RegNext(!io.pins.sck) && !io.pins.cs && io.pins.reset
-  val bit    = RegInit(U(0, 3 bits))
-  val shift  = Reg(Bits(8 bits))
-  val next   = shift(6 downto 0) ## io.pins.mosi
+  val bit = RegInit(U(0, 3 bits))
+  val shift = Reg(Bits(8 bits))
+  val next = shift(6 downto 0) ## io.pins.mosi
   when(rising) {
     shift := next
-    bit   := bit + 1
+    bit := bit + 1
   }
   when(io.pins.cs || !io.pins.reset)(bit := 0)
   val complete = rising && bit === 7
 
-  val count                  = RegInit(U(0, 32 bits))
-  val wasReset               = RegInit(True) clearWhen complete setWhen !io.pins.reset
-  val clocks                 = RegInit(U(0, 6 + gapLog2 bits))
-  when(!clocks.andR)(clocks               := clocks + 1)
+  val count = RegInit(U(0, 32 bits))
+  val wasReset = RegInit(True) clearWhen complete setWhen !io.pins.reset
+  val clocks = RegInit(U(0, 6 + gapLog2 bits))
+  when(!clocks.andR)(clocks := clocks + 1)
   when(complete || !io.pins.reset)(clocks := 0) // after a reset the gap counts from its end
-  when(complete)(count                    := count + 1)
+  when(complete)(count := count + 1)
 
   val entry = clocks(gapLog2, 6 bits) ## wasReset ## io.pins.dc ## next
-  val line  = Reg(Bits(16 * lanes bits)) init 0
-  val lane  = count(log2Up(lanes) - 1 downto 0)
+  val line = Reg(Bits(16 * lanes bits)) init 0
+  val lane = count(log2Up(lanes) - 1 downto 0)
   when(complete)(line(lane << 4, 16 bits) := entry)
   // The unfinished line is written along, a clock after each entry.
   memory.write((RegNext(count) >> log2Up(lanes)).resize(memory.addressWidth), line, RegNext(complete) init False)
@@ -56,7 +56,7 @@ object SimTft { val Lanes = 32 }
   * @param fast    by how much the display's pauses are shortened: the model's time runs that much faster
   */
 final class SimTftReader(dut: SimTft, controller: TftController, clockHz: Long, fast: Int) {
-  private var taken  = 0L
+  private var taken = 0L
   private var timeMs = 0.0
   private val unitMs = 1000.0 * fast * (1 << dut.gapLog2) / clockHz
 
@@ -68,7 +68,7 @@ final class SimTftReader(dut: SimTft, controller: TftController, clockHz: Long, 
     val count = dut.io.count.toLong
     require(count - taken <= (1L << dut.entriesLog2), s"SimTft: ${count - taken} bytes were not fetched in time")
     while (taken < count) {
-      val line  = dut.memory.getBigInt((taken / SimTft.Lanes) % dut.memory.wordCount)
+      val line = dut.memory.getBigInt((taken / SimTft.Lanes) % dut.memory.wordCount)
       val until = count.min((taken / SimTft.Lanes + 1) * SimTft.Lanes)
       while (taken < until) {
         take(((line >> (16 * (taken % SimTft.Lanes).toInt)) & 0xffff).toInt)

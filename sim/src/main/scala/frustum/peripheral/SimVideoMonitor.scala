@@ -7,7 +7,7 @@ import spinal.core.sim._
 /** What a monitor sees at its plug: colour, sync pulses of the mode's polarity, and which clocks are visible. */
 case class MonitorPins(colorBits: Int) extends Bundle {
   val hSync, vSync, active = Bool()
-  val color                = Bits(colorBits bits)
+  val color = Bits(colorBits bits)
 }
 
 /** A monitor as simulated hardware, so that the JVM has no work during a frame. It knows the mode's nominal
@@ -21,34 +21,34 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
   import SimVideoMonitor.{Few, Lanes}
   private val pixels = mode.width * mode.height
   require(pixels % Lanes == 0, s"${mode.width} x ${mode.height} pixels, not a multiple of $Lanes")
-  val io             = new Bundle {
-    val pins    = in(MonitorPins(colorBits))
-    val frames  = out(UInt(32 bits)).simPublic() // complete ones
-    val errors  = out(UInt(32 bits)).simPublic()
-    val visible = out Bool ()                    // by the pulses: for a plug that does not tell
+  val io = new Bundle {
+    val pins = in(MonitorPins(colorBits))
+    val frames = out(UInt(32 bits)).simPublic() // complete ones
+    val errors = out(UInt(32 bits)).simPublic()
+    val visible = out Bool () // by the pulses: for a plug that does not tell
   }
   private def edges(pulse: Bool) = {
     val before = RegNext(pulse) init True // a pulse that lasts since the reset tells nothing
     (pulse && !before, !pulse && before)
   }
-  val (hStart, hEnd)           = edges(if (mode.hPositive) io.pins.hSync else !io.pins.hSync)
-  val (vStart, vEnd)           = edges(if (mode.vPositive) io.pins.vSync else !io.pins.vSync)
+  val (hStart, hEnd) = edges(if (mode.hPositive) io.pins.hSync else !io.pins.hSync)
+  val (vStart, vEnd) = edges(if (mode.vPositive) io.pins.vSync else !io.pins.vSync)
   val (activeStart, activeEnd) = edges(io.pins.active)
 
   /** From the pulses to the first pixel, column and line, counted from the start of the horizontal pulse. */
   private val (left, top) = (mode.hSync + mode.hBack, mode.vSync + mode.vBack)
-  val counting            = RegInit(False) setWhen hStart
-  private val locks       = vStart && (counting || hStart)
-  val locked              = RegInit(False) setWhen locks
-  val lock                = locked || locks
+  val counting = RegInit(False) setWhen hStart
+  private val locks = vStart && (counting || hStart)
+  val locked = RegInit(False) setWhen locks
+  val lock = locked || locks
 
   /** Clocks since the horizontal pulse, lines since the one that the vertical pulse is in. */
   val sinceH, sinceV = Reg(UInt(16 bits)) init 0
-  val column         = CombInit(sinceH)
-  val row            = CombInit(sinceV)
+  val column = CombInit(sinceH)
+  val row = CombInit(sinceV)
   when(hStart) {
     column := 0
-    row    := sinceV + 1
+    row := sinceV + 1
   }
   when(vStart)(row := 0)
   sinceH := column + 1
@@ -58,25 +58,25 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
   io.visible := visible
 
   /** Where in its line the vertical pulse starts: the first one decides. */
-  val phase   = RegNextWhen(column, vStart && !locked).init(0).simPublic()
-  val first   = activeStart && row === top
+  val phase = RegNextWhen(column, vStart && !locked).init(0).simPublic()
+  val first = activeStart && row === top
   val lastEnd = activeEnd && row === top + mode.height - 1
 
   private def number(n: Int) = U(n, 32 bits)
-  private val frame          = mode.vTotal * mode.hTotal
-  val hTotal                 = new SimInterval(hStart, hStart, lock, number(mode.hTotal))
-  val hSync                  = new SimInterval(hStart, hEnd, lock, number(mode.hSync))
-  val hBack                  = new SimInterval(
+  private val frame = mode.vTotal * mode.hTotal
+  val hTotal = new SimInterval(hStart, hStart, lock, number(mode.hTotal))
+  val hSync = new SimInterval(hStart, hEnd, lock, number(mode.hSync))
+  val hBack = new SimInterval(
     hEnd,
     activeStart || hStart,
     lock && row >= top && row < top + mode.height,
     number(mode.hBack)
   )
-  val width  = new SimInterval(activeStart, activeEnd, lock, number(mode.width))
+  val width = new SimInterval(activeStart, activeEnd, lock, number(mode.width))
   val hFront = new SimInterval(activeEnd, hStart, lock, number(mode.hFront))
   val vTotal = new SimInterval(vStart, vStart, lock, number(frame))
-  val vSync  = new SimInterval(vStart, vEnd, lock, number(mode.vSync * mode.hTotal))
-  val vBack  = new SimInterval(vEnd, first, lock, number(mode.vBack * mode.hTotal + left) - phase)
+  val vSync = new SimInterval(vStart, vEnd, lock, number(mode.vSync * mode.hTotal))
+  val vBack = new SimInterval(vEnd, first, lock, number(mode.vBack * mode.hTotal + left) - phase)
   val vFront = new SimInterval(lastEnd, vStart, lock, number(mode.vFront * mode.hTotal + mode.hFront) + phase)
 
   private def count(wrong: Bool) = {
@@ -84,20 +84,20 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
     when(wrong)(n := n + 1)
     n
   }
-  val misplaced   = count(locked && io.pins.active =/= visible)
+  val misplaced = count(locked && io.pins.active =/= visible)
   val blankColour = count(lock && !io.pins.active && io.pins.color.orR)
-  val phaseWrong  = count(vStart && lock && (column > left || locked && column =/= phase))
+  val phaseWrong = count(vStart && lock && (column > left || locked && column =/= phase))
 
   /** What is measured, and what is only counted, by name. */
   val intervals = Seq(
     "hTotal" -> hTotal,
-    "hSync"  -> hSync,
-    "hBack"  -> hBack,
-    "width"  -> width,
+    "hSync" -> hSync,
+    "hBack" -> hBack,
+    "width" -> width,
     "hFront" -> hFront,
     "vTotal" -> vTotal,
-    "vSync"  -> vSync,
-    "vBack"  -> vBack,
+    "vSync" -> vSync,
+    "vBack" -> vBack,
     "vFront" -> vFront
   )
   val counts = Seq("misplaced" -> misplaced, "blankColour" -> blankColour, "phase" -> phaseWrong)
@@ -106,14 +106,14 @@ case class SimVideoMonitor(mode: VideoMode, colorBits: Int) extends Component {
   val frames = count(vStart && locked)
   io.frames := frames
   val memory = Mem(Bits(Lanes * colorBits bits), 2 * pixels / Lanes).simPublic()
-  val index  = Reg(UInt(log2Up(pixels) bits)) init 0
+  val index = Reg(UInt(log2Up(pixels) bits)) init 0
 
   /** The last pixels of a word, and those before them: what is long moves only now and then. */
-  val few     = Reg(Bits((Few - 1) * colorBits bits)) init 0
+  val few = Reg(Bits((Few - 1) * colorBits bits)) init 0
   val collect = Reg(Bits((Lanes - Few) * colorBits bits)) init 0
-  val word    = io.pins.color ## few ## collect
+  val word = io.pins.color ## few ## collect
   when(visible) {
-    few   := (io.pins.color ## few).dropLow(colorBits)
+    few := (io.pins.color ## few).dropLow(colorBits)
     index := index + 1
     when(index(log2Up(Few) - 1 downto 0).andR)(collect := word.dropLow(Few * colorBits))
   }

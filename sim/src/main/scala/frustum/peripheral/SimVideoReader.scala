@@ -21,7 +21,7 @@ final class SimVideoReader(dut: SimVideoMonitor) {
   /** Colours of the last complete frame as they stood at the pins. */
   def picture(): Array[Int] = {
     require(frames > 0, "no frame is complete")
-    val base    = if (frames % 2 == 1) 0 else words
+    val base = if (frames % 2 == 1) 0 else words
     val picture = new Array[Int](words * SimVideoMonitor.Lanes)
     for (w <- 0 until words) unpack(dut.memory.getBigInt(base + w).toByteArray, picture, w * SimVideoMonitor.Lanes)
     picture
@@ -33,7 +33,7 @@ final class SimVideoReader(dut: SimVideoMonitor) {
     */
   private def unpack(bytes: Array[Byte], picture: Array[Int], from: Int): Unit = {
     var (held, bits, pixel) = (0L, 0, 0)
-    var next                = bytes.length - 1
+    var next = bytes.length - 1
     while (pixel < SimVideoMonitor.Lanes) {
       while (bits < dut.colorBits) {
         if (next >= 0) held |= (bytes(next) & 0xffL) << bits

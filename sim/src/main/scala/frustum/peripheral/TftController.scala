@@ -13,12 +13,12 @@ import scala.collection.mutable.ArrayBuffer
 final class TftController(panel: Panel) {
   import Panel._
   private val columns = ShortSide
-  private val pages   = LongSide
-  private val memory  = Array.fill(columns * pages)(0)
+  private val pages = LongSide
+  private val memory = Array.fill(columns * pages)(0)
 
   // How the glass is built, as opposed to how it is addressed.
   private val glassMirrored = panel == Panel.Ili9341
-  private val glassBgr      = panel == Panel.Ili9341
+  private val glassBgr = panel == Panel.Ili9341
   private val glassNegative = panel == Panel.St7789
 
   val violations = ArrayBuffer.empty[String]
@@ -26,19 +26,20 @@ final class TftController(panel: Panel) {
   /** Pixels written since reset. */
   var pixels = 0L
 
-  private var access, format      = 0
+  private var access, format = 0
   private var inverted, awake, on = false
-  private var (x0, x1, y0, y1)    = (0, 0, 0, 0)
-  private var (column, row)       = (0, 0)
-  private var notBeforeMs         = Double.PositiveInfinity
-  private var command             = -1
-  private val parameters          = ArrayBuffer.empty[Int]
+  private var (x0, x1, y0, y1) = (0, 0, 0, 0)
+  private var (column, row) = (0, 0)
+  private var notBeforeMs = Double.PositiveInfinity
+  private var command = -1
+  private val parameters = ArrayBuffer.empty[Int]
 
   private def violation(what: String): Unit = violations += what
 
   /** The reset pin has been low for `lowMs` and rises at `timeMs`. */
   def reset(timeMs: Double, lowMs: Double): Unit = {
-    if (lowMs < TftController.ResetLowMs) violation(f"reset low for $lowMs%.4f ms, at least ${TftController.ResetLowMs}%.2f")
+    if (lowMs < TftController.ResetLowMs)
+      violation(f"reset low for $lowMs%.4f ms, at least ${TftController.ResetLowMs}%.2f")
     access = 0
     format = 0x66
     inverted = false
@@ -81,7 +82,9 @@ final class TftController(panel: Panel) {
   /** Looks back at the command that ends. */
   private def finish(): Unit = if (command >= 0) {
     val due = TftController.Parameters.get(command)
-    due.filter(_ != parameters.length).foreach(n => violation(f"command 0x$command%02x with ${parameters.length} bytes, not $n"))
+    due.filter(_ != parameters.length).foreach(n =>
+      violation(f"command 0x$command%02x with ${parameters.length} bytes, not $n")
+    )
     if (command == MemoryWrite && parameters.nonEmpty) violation("memory write ends in half a pixel")
     parameters.clear()
     command = -1
@@ -102,15 +105,16 @@ final class TftController(panel: Panel) {
   }
 
   private def exchange = (access & Exchange) != 0
-  private def width    = if (exchange) pages else columns
-  private def height   = if (exchange) columns else pages
+  private def width = if (exchange) pages else columns
+  private def height = if (exchange) columns else pages
 
   private def window(what: String, first: Int, last: Int, limit: Int): Unit =
     if (first > last || last >= limit) violation(s"$what $first to $last of $limit")
 
   private def write(color: Int): Unit = {
-    val (c, p)   = if (exchange) (row, column) else (column, row)
-    val physical = (if ((access & MirrorX) != 0) columns - 1 - c else c, if ((access & MirrorY) != 0) pages - 1 - p else p)
+    val (c, p) = if (exchange) (row, column) else (column, row)
+    val physical =
+      (if ((access & MirrorX) != 0) columns - 1 - c else c, if ((access & MirrorY) != 0) pages - 1 - p else p)
     physical match {
       case (x, y) if x >= 0 && x < columns && y >= 0 && y < pages => memory(y * columns + x) = color
       case _                                                      =>
@@ -127,14 +131,14 @@ final class TftController(panel: Panel) {
     * not fit so, turned a quarter clockwise. Black while asleep or off.
     */
   def picture(width: Int, height: Int): Array[Int] = Array.tabulate(width * height) { i =>
-    val (x, y)   = (i % width, i / width)
+    val (x, y) = (i % width, i / width)
     val (gx, gy) = if (width > columns) (columns - 1 - y, x) else (x, y)
     if (on && awake) seen(memory(gy * columns + (if (glassMirrored) columns - 1 - gx else gx))) else 0
   }
 
   private def seen(stored: Int): Int = {
     val swapped = ((access & Bgr) != 0) != glassBgr
-    val color   = if (swapped) (stored & 0x7e0) | stored >> 11 | (stored & 31) << 11 else stored
+    val color = if (swapped) (stored & 0x7e0) | stored >> 11 | (stored & 31) << 11 else stored
     if (inverted != glassNegative) color ^ 0xffff else color
   }
 }
@@ -147,15 +151,15 @@ object TftController {
 
   /** Parameter bytes of the commands it knows. */
   val Parameters: Map[Int, Int] = Map(
-    SleepOut      -> 0,
-    NormalMode    -> 0,
-    InversionOff  -> 0,
-    InversionOn   -> 0,
-    DisplayOff    -> 0,
-    DisplayOn     -> 0,
+    SleepOut -> 0,
+    NormalMode -> 0,
+    InversionOff -> 0,
+    InversionOn -> 0,
+    DisplayOff -> 0,
+    DisplayOn -> 0,
     ColumnAddress -> 4,
-    RowAddress    -> 4,
-    MemoryAccess  -> 1,
-    PixelFormat   -> 1
+    RowAddress -> 4,
+    MemoryAccess -> 1,
+    PixelFormat -> 1
   )
 }

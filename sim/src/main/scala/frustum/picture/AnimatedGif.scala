@@ -19,10 +19,10 @@ final class AnimatedGif private (writer: ImageWriter, width: Int, height: Int) {
     require(centiseconds >= 2 && centiseconds < 65536, s"a picture of $centiseconds centiseconds")
     val image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)
     image.setRGB(0, 0, width, height, rgb, 0, width)
-    val data   = writer.getDefaultImageMetadata(kind, null)
+    val data = writer.getDefaultImageMetadata(kind, null)
     val format = data.getNativeMetadataFormatName
-    val root   = data.getAsTree(format).asInstanceOf[IIOMetadataNode]
-    val times  = child(root, "GraphicControlExtension")
+    val root = data.getAsTree(format).asInstanceOf[IIOMetadataNode]
+    val times = child(root, "GraphicControlExtension")
     times.setAttribute("disposalMethod", "none")
     times.setAttribute("userInputFlag", "FALSE")
     times.setAttribute("transparentColorFlag", "FALSE")

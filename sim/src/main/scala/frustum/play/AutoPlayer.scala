@@ -15,7 +15,7 @@ object AutoPlayer {
   /** Buttons for the next tick. */
   def apply(game: PongGame): PongButtons = {
     val (aimX, aimY) = arrival(game)
-    val (x, y)       = (aimX - game.paddleX, aimY - game.paddleY)
+    val (x, y) = (aimX - game.paddleX, aimY - game.paddleY)
     PongButtons(up = y > Slack, down = y < -Slack, left = x < -Slack, right = x > Slack)
   }
 

@@ -13,9 +13,9 @@ import scala.util.control.NonFatal
   * @param scale whole multiple of the picture that the window starts with
   */
 final class LiveScreen private (name: String, width: Int, height: Int, scale: Int) extends AutoCloseable {
-  private val image          = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)
-  private val rate           = new FrameRate
-  private val pressed        = new PressedKeys
+  private val image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)
+  private val rate = new FrameRate
+  private val pressed = new PressedKeys
   @volatile private var open = true
 
   private val panel = new JPanel {
@@ -97,7 +97,7 @@ object LiveScreen {
 
   /** The largest rectangle of the picture's shape within the window, in its middle. */
   def fit(width: Int, height: Int, inWidth: Int, inHeight: Int): java.awt.Rectangle = {
-    val scale  = scala.math.min(inWidth.toDouble / width, inHeight.toDouble / height)
+    val scale = scala.math.min(inWidth.toDouble / width, inHeight.toDouble / height)
     val (w, h) = ((width * scale).round.toInt, (height * scale).round.toInt)
     new java.awt.Rectangle((inWidth - w) / 2, (inHeight - h) / 2, w, h)
   }

@@ -6,7 +6,7 @@ import java.awt.event.{FocusEvent, FocusListener, KeyEvent, KeyListener}
   * release is then told to another.
   */
 final class PressedKeys extends KeyListener with FocusListener {
-  @volatile private var down  = Set.empty[Int]
+  @volatile private var down = Set.empty[Int]
   @volatile private var typed = Set.empty[Int]
 
   /** A key counts until it was seen once, however briefly it was pressed. */
@@ -16,13 +16,13 @@ final class PressedKeys extends KeyListener with FocusListener {
     seen
   }
 
-  def press(code: Int): Unit   = synchronized { down += code; typed += code }
+  def press(code: Int): Unit = synchronized { down += code; typed += code }
   def release(code: Int): Unit = synchronized { down -= code }
-  def releaseAll(): Unit       = synchronized { down = Set.empty }
+  def releaseAll(): Unit = synchronized { down = Set.empty }
 
-  def keyPressed(e: KeyEvent): Unit    = press(e.getKeyCode)
-  def keyReleased(e: KeyEvent): Unit   = release(e.getKeyCode)
-  def keyTyped(e: KeyEvent): Unit      = ()
+  def keyPressed(e: KeyEvent): Unit = press(e.getKeyCode)
+  def keyReleased(e: KeyEvent): Unit = release(e.getKeyCode)
+  def keyTyped(e: KeyEvent): Unit = ()
   def focusGained(e: FocusEvent): Unit = ()
-  def focusLost(e: FocusEvent): Unit   = releaseAll()
+  def focusLost(e: FocusEvent): Unit = releaseAll()
 }

@@ -16,7 +16,7 @@ final case class BezierPatch(control: IndexedSeq[IndexedSeq[Vector3d]]) {
     */
   def normal(u: Double, v: Double): Vector3d = {
     val du = sum(slope(u), bernstein(v))
-    val n  = new Vector3d(du).cross(sum(bernstein(u), slope(v)))
+    val n = new Vector3d(du).cross(sum(bernstein(u), slope(v)))
     if (n.length > 1e-9) n.normalize
     else {
       val mixed = sum(slope(u), slope(v))

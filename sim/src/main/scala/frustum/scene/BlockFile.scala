@@ -17,11 +17,11 @@ object BlockFile {
 
   def read(file: Path): VoxelAssets = {
     def refuse(what: String): Nothing = throw InputError(s"$file: $what")
-    val root                          = JsonFile.read(file, "docs/voxel.md")
-    val textures                      = mutable.LinkedHashMap.empty[String, (IndexedSeq[Int], IndexedSeq[Int])]
+    val root = JsonFile.read(file, "docs/voxel.md")
+    val textures = mutable.LinkedHashMap.empty[String, (IndexedSeq[Int], IndexedSeq[Int])]
 
     def block(v: ujson.Value, i: Int): BlockType = {
-      val where  = s"block ${i + 1}"
+      val where = s"block ${i + 1}"
       val fields = v match {
         case o: ujson.Obj => o.value
         case _            => refuse(s"$where: is no object; write {\"name\": ...}")
@@ -29,7 +29,7 @@ object BlockFile {
       fields.keys.find(!Keys.contains(_)).foreach(k =>
         refuse(s"$where: there is no key '$k'; known are ${Keys.mkString(", ")}")
       )
-      def text(key: String)                   = fields.get(key).map(_.strOpt.getOrElse(refuse(s"$where: $key is no string")))
+      def text(key: String) = fields.get(key).map(_.strOpt.getOrElse(refuse(s"$where: $key is no string")))
       def flag(key: String, default: Boolean) =
         fields.get(key).fold(default)(_.boolOpt.getOrElse(refuse(s"$where: $key is neither true nor false")))
       def texture(key: String) = {
@@ -58,7 +58,7 @@ object BlockFile {
       }
 
     def picture(png: Path, where: String): (IndexedSeq[Int], IndexedSeq[Int]) = {
-      val side  = VoxelTextures.Side
+      val side = VoxelTextures.Side
       val image =
         try TextureFile.read(
             png,

@@ -12,7 +12,7 @@ object Corridor {
 
   def scene: Scene = {
     val triangles = walls ++ grille ++ panes
-    val camera    =
+    val camera =
       Camera(new Vector3d(0.25, 1.65, 1.9), new Vector3d(0, 1.4, -8), new Vector3d(0, 1, 0), 62, 0.1, 40)
     Scene("corridor", triangles, materials, camera, 0x000000)
   }
@@ -35,18 +35,18 @@ object Corridor {
   /** Lamps near the viewer and at the far end, the middle darker. */
   private def lit(base: Double)(p: Vector3d) = {
     val depth = (-p.z / length).max(0.0)
-    val f     = base * (0.35 + 0.65 * (2 * depth - 1) * (2 * depth - 1))
+    val f = base * (0.35 + 0.65 * (2 * depth - 1) * (2 * depth - 1))
     (f, f * 0.97, f * 0.9, 1.0)
   }
 
   private def walls: IndexedSeq[Triangle] = {
-    val along                 = new Vector3d(0, 0, -length - 2)
-    val up                    = new Vector3d(0, height, 0)
-    val right                 = new Vector3d(2 * halfWidth, 0, 0)
+    val along = new Vector3d(0, 0, -length - 2)
+    val up = new Vector3d(0, height, 0)
+    val right = new Vector3d(2 * halfWidth, 0, 0)
     val (nearLeft, nearRight) = (new Vector3d(-halfWidth, 0, 2), new Vector3d(halfWidth, 0, 2))
-    val end                   = new Vector3d(-halfWidth, 0, -length)
-    val leftWall              = Grid.rectangle(nearLeft, along, up, (11, 1.5), (11, 1), 0)(lit(0.95))
-    val rightWall             = Grid.rectangle(
+    val end = new Vector3d(-halfWidth, 0, -length)
+    val leftWall = Grid.rectangle(nearLeft, along, up, (11, 1.5), (11, 1), 0)(lit(0.95))
+    val rightWall = Grid.rectangle(
       new Vector3d(nearRight).add(along),
       new Vector3d(along).negate,
       up,
@@ -54,7 +54,7 @@ object Corridor {
       (11, 1),
       0
     )(lit(0.8))
-    val floor   = Grid.rectangle(nearLeft, right, along, (1.5, 11), (1, 11), 1)(lit(1))
+    val floor = Grid.rectangle(nearLeft, right, along, (1.5, 11), (1, 11), 1)(lit(1))
     val ceiling =
       Grid.rectangle(new Vector3d(nearLeft).add(up), along, right, (11, 1.5), (11, 1), 1)(lit(0.6))
     val endWall = Grid.rectangle(end, right, up, (1.5, 1.5), (1, 1), 0)(lit(1))

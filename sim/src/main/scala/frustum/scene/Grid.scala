@@ -30,9 +30,9 @@ object Grid {
       material: Int
   )(color: Vector3d => (Double, Double, Double, Double)): IndexedSeq[Triangle] = {
     val normal = new Vector3d(side1).cross(side2).normalize
-    val rows   = IndexedSeq.tabulate(steps._1 + 1, steps._2 + 1) { (i, j) =>
+    val rows = IndexedSeq.tabulate(steps._1 + 1, steps._2 + 1) { (i, j) =>
       val (f, g) = (i.toDouble / steps._1, j.toDouble / steps._2)
-      val p      = new Vector3d(corner).fma(f, side1).fma(g, side2)
+      val p = new Vector3d(corner).fma(f, side1).fma(g, side2)
       MeshVertex(p, normal, f * repeats._1, g * repeats._2, color(p))
     }
     triangles(rows, material)
@@ -40,9 +40,9 @@ object Grid {
 
   /** Unit normal of the face, or None when it has no area. */
   def faceNormal(t: Triangle): Option[Vector3d] = {
-    val e1     = new Vector3d(t.v1.position).sub(t.v0.position)
-    val e2     = new Vector3d(t.v2.position).sub(t.v0.position)
-    val n      = new Vector3d(e1).cross(e2)
+    val e1 = new Vector3d(t.v1.position).sub(t.v0.position)
+    val e2 = new Vector3d(t.v2.position).sub(t.v0.position)
+    val n = new Vector3d(e1).cross(e2)
     val extent = e1.lengthSquared.max(e2.lengthSquared)
     // rounding leaves corners that should coincide apart by some 1e-16 of the size
     if (n.length <= 1e-12 * extent) None else Some(n.normalize)

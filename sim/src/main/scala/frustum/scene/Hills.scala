@@ -13,9 +13,9 @@ object Hills {
         0.1 * noise(x / 3.0, y / 3.0, 13, seed)
       (size.z * (0.1 + 0.55 * n)).toInt.min(size.z - 2)
     }
-    val sea      = (size.z * 0.3).toInt
+    val sea = (size.z * 0.3).toInt
     val snowLine = (size.z * 0.52).toInt
-    val ids      = Array.ofDim[Int](size.x, size.y, size.z)
+    val ids = Array.ofDim[Int](size.x, size.y, size.z)
     for (x <- 0 until size.x; y <- 0 until size.y) {
       val top = surface(x)(y)
       for (z <- 0 to top.max(sea)) ids(x)(y)(z) =
@@ -31,7 +31,7 @@ object Hills {
     val room = size.x > 4 && size.y > 4
     if (room) for (_ <- 0 until size.x * size.y / 100) {
       val (x, y) = (2 + random.nextInt(size.x - 4), 2 + random.nextInt(size.y - 4))
-      val z      = surface(x)(y)
+      val z = surface(x)(y)
       if (z > sea + 1 && z < size.z - 8 && ids(x)(y)(z) == Blocks.id("grass"))
         tree(ids, size, x, y, z, 3 + random.nextInt(2))
     }
@@ -90,9 +90,9 @@ object Hills {
 
   /** Smooth in x and y, in [0, 1). */
   private def noise(x: Double, y: Double, layer: Int, seed: Long): Double = {
-    val (i, j)               = (floor(x).toInt, floor(y).toInt)
-    def ease(t: Double)      = t * t * (3 - 2 * t)
-    val (u, v)               = (ease(x - i), ease(y - j))
+    val (i, j) = (floor(x).toInt, floor(y).toInt)
+    def ease(t: Double) = t * t * (3 - 2 * t)
+    val (u, v) = (ease(x - i), ease(y - j))
     def at(di: Int, dj: Int) = hash(i + di, j + dj, layer, seed)
     (at(0, 0) * (1 - u) + at(1, 0) * u) * (1 - v) + (at(0, 1) * (1 - u) + at(1, 1) * u) * v
   }

@@ -23,7 +23,7 @@ class JsonFields(file: Path) {
   }
   def whole(v: ujson.Value, path: String): Int = v match {
     case ujson.Num(n) if n == n.toInt && n.abs < 1e6 => n.toInt
-    case other                                       => refuse(path, s"${ujson.write(other)} is not a whole number of at most 6 digits")
+    case other => refuse(path, s"${ujson.write(other)} is not a whole number of at most 6 digits")
   }
   def vector(v: ujson.Value, path: String): IntVector = list(v, path) match {
     case Seq(x, y, z) => IntVector(whole(x, path), whole(y, path), whole(z, path))

@@ -42,12 +42,12 @@ object ObjFile {
 
   /** InputError naming file, line, what is wrong there and what would be right. */
   def read(file: Path): ObjFile = {
-    val positions                 = mutable.ArrayBuffer.empty[(Vector3d, (Double, Double, Double))]
-    val textures                  = mutable.ArrayBuffer.empty[(Double, Double)]
-    val normals                   = mutable.ArrayBuffer.empty[Vector3d]
-    val faces                     = mutable.ArrayBuffer.empty[Face]
-    val materials                 = mutable.LinkedHashMap.empty[String, Material]
-    var libraries                 = false
+    val positions = mutable.ArrayBuffer.empty[(Vector3d, (Double, Double, Double))]
+    val textures = mutable.ArrayBuffer.empty[(Double, Double)]
+    val normals = mutable.ArrayBuffer.empty[Vector3d]
+    val faces = mutable.ArrayBuffer.empty[Face]
+    val materials = mutable.LinkedHashMap.empty[String, Material]
+    var libraries = false
     var current: Option[Material] = None
 
     def corner(line: SourceLine, word: String): Corner = {
@@ -79,7 +79,7 @@ object ObjFile {
 
     for (line <- SourceLine.read(file)) line.keyword match {
       case "v" =>
-        val n   = line.numbers(3, 7, "x y z")
+        val n = line.numbers(3, 7, "x y z")
         val rgb = if (n.length >= 6) n.takeRight(3).map(_.max(0.0).min(1.0)) else IndexedSeq(1.0, 1.0, 1.0)
         if (n.take(3).exists(_.abs > 1e30)) line.error("a vertex beyond 1e30; scale the mesh down")
         positions += ((new Vector3d(n(0), n(1), n(2)), (rgb(0), rgb(1), rgb(2))))

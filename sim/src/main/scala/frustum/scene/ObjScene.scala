@@ -19,7 +19,7 @@ object ObjScene {
     *   naming file, line, what is wrong and the remedy
     */
   def read(file: Path, textureOverride: Option[Path]): Scene = {
-    val obj     = ObjFile.read(file)
+    val obj = ObjFile.read(file)
     val picture = textureOverride.map(TextureFile.read(_))
     if (obj.faces.isEmpty) throw InputError(s"$file: there are no faces ('f' lines); give a mesh of polygons")
     if (picture.isDefined && !obj.faces.exists(textured))
@@ -33,11 +33,11 @@ object ObjScene {
         m.copy(texture = None, combine = Combine.ColorOnly, alphaTest = None, blend = m.alpha < 1)
       else picture.fold(m)(p => Material.textured(m.name, p, m.alpha))
     }
-    val ofFace    = obj.faces.map(materialOf)
+    val ofFace = obj.faces.map(materialOf)
     val materials = ofFace.distinct
-    val index     = materials.zipWithIndex.toMap
+    val index = materials.zipWithIndex.toMap
     val triangles = obj.faces.zip(ofFace).flatMap { case (face, material) => cut(face, index(material)) }
-    val lines     = obj.faces.flatMap(f => IndexedSeq.fill(f.corners.length - 2)(f.line.number))
+    val lines = obj.faces.flatMap(f => IndexedSeq.fill(f.corners.length - 2)(f.line.number))
     Scene(
       file.getFileName.toString,
       triangles,
@@ -53,15 +53,15 @@ object ObjScene {
     */
   def framing(triangles: IndexedSeq[Triangle]): Camera = {
     val (centre, extent) = BoundingSphere(triangles.flatMap(_.vertices.map(_.position)))
-    val radius           = if (extent > 0) extent else 1.0
-    val eye              = new Vector3d(0.45, 0.35, 0.82).mul(2.5 * radius).add(centre)
+    val radius = if (extent > 0) extent else 1.0
+    val eye = new Vector3d(0.45, 0.35, 0.82).mul(2.5 * radius).add(centre)
     Camera(eye, centre, new Vector3d(0, 1, 0), 45, 0.05 * radius, 10 * radius)
   }
 
   private def textured(face: ObjFile.Face): Boolean = face.corners.forall(_.texture.isDefined)
 
   private def cut(face: ObjFile.Face, material: Int): IndexedSeq[Triangle] = {
-    val flat     = faceNormal(face.corners.map(_.position))
+    val flat = faceNormal(face.corners.map(_.position))
     val vertices = face.corners.map { c =>
       val normal = c.normal.filter(_.length > 0).fold(flat)(n => new Vector3d(n).normalize)
       val (s, t) = c.texture.getOrElse((0.0, 0.0))

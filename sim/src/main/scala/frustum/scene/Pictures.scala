@@ -27,10 +27,10 @@ object Pictures {
 
   /** A wooden crate: planks, a frame round them and a brace across, with nails. */
   def crate: TextureImage = opaque(64, 64) { (x, y) =>
-    val edge      = Seq(x, y, 63 - x, 63 - y).min
-    val brace     = (x - y).abs
+    val edge = Seq(x, y, 63 - x, 63 - y).min
+    val brace = (x - y).abs
     val wood: Rgb = (0.78, 0.56, 0.32)
-    val nail      =
+    val nail =
       (Seq(4, 59).contains(x) || Seq(4, 59).contains(y)) && (x + y) % 11 == 8 && edge >= 3 && edge <= 5
     if (nail) (0.25, 0.22, 0.2)
     else if (edge < 8) shade(wood, (if (edge == 0 || edge == 7) 0.55 else 0.95) + 0.15 * noise(x / 5, y, 1))
@@ -54,8 +54,8 @@ object Pictures {
   /** Bricks in stretcher bond. */
   def bricks: TextureImage = opaque(64, 64) { (x, y) =>
     val course = y / 8
-    val along  = (x + (if (course % 2 == 0) 0 else 8)) % 64
-    val tint   = 0.75 + 0.3 * noise(along / 16, course, 4) + 0.12 * noise(x, y, 5)
+    val along = (x + (if (course % 2 == 0) 0 else 8)) % 64
+    val tint = 0.75 + 0.3 * noise(along / 16, course, 4) + 0.12 * noise(x, y, 5)
     if (y % 8 == 7 || along % 16 == 15) shade((0.62, 0.6, 0.56), 0.85 + 0.15 * noise(x, y, 6))
     else shade((0.68, 0.33, 0.24), if (y % 8 == 0 || along % 16 == 0) tint * 1.15 else tint)
   }
@@ -92,5 +92,5 @@ object Pictures {
   }
 
   private def byte(v: Double): Int = (v * 255).round.toInt.max(0).min(255)
-  private def rgb(c: Rgb): Int     = byte(c._1) << 16 | byte(c._2) << 8 | byte(c._3)
+  private def rgb(c: Rgb): Int = byte(c._1) << 16 | byte(c._2) << 8 | byte(c._3)
 }

@@ -2,7 +2,18 @@ package frustum.scene
 
 import frustum.contract.arithmetic.IntVector
 import frustum.contract.InputError
-import frustum.contract.ray.{RayCamera, RayCameraRange, RayChecker, RayImage, RayPaint, RayQuad, RayRoom, RayScene, RaySolid, RaySphere}
+import frustum.contract.ray.{
+  RayCamera,
+  RayCameraRange,
+  RayChecker,
+  RayImage,
+  RayPaint,
+  RayQuad,
+  RayRoom,
+  RayScene,
+  RaySolid,
+  RaySphere
+}
 import frustum.files.JsonFile
 import java.nio.file.Path
 
@@ -78,7 +89,7 @@ object RaySceneFile {
     }
 
     private def room(v: ujson.Value): RayRoom = {
-      val o   = fields(v, "room", "low", "high", "cellBits", "walls")
+      val o = fields(v, "room", "low", "high", "cellBits", "walls")
       val all = RayRoom(
         need(o, "room", "low")(vector),
         need(o, "room", "high")(vector),
@@ -124,13 +135,13 @@ object RaySceneFile {
     }
 
     private def sphere(v: ujson.Value, path: String): RaySphere = {
-      val o           = fields(v, path, "low", "high", "centre", "radius", "color")
+      val o = fields(v, path, "low", "high", "centre", "radius", "color")
       val (low, high) = range(o, path)
       RaySphere(low, high, need(o, path, "radius")(whole), need(o, path, "color")(color))
     }
 
     private def quad(v: ujson.Value, path: String): RayQuad = {
-      val o           = fields(v, path, "low", "high", "centre", "half", "color", "image", "texelBits")
+      val o = fields(v, path, "low", "high", "centre", "half", "color", "image", "texelBits")
       val (low, high) = range(o, path)
       RayQuad(low, high, need(o, path, "half")(whole), surface(o, path))
     }

@@ -30,19 +30,19 @@ object Scenes {
     */
   def teapot(tessellation: Int = 6): Scene = {
     require(tessellation >= 1 && tessellation <= 64, s"tessellation $tessellation is outside 1..64")
-    val eye                = new Vector3d(4.2, 4.8, 9.3)
-    val key                = new Vector3d(0.55, 0.75, 0.45).normalize
-    val fill               = new Vector3d(-0.8, 0.1, 0.5).normalize
-    val gloss              = new Vector3d(eye).normalize.add(key).normalize
+    val eye = new Vector3d(4.2, 4.8, 9.3)
+    val key = new Vector3d(0.55, 0.75, 0.45).normalize
+    val fill = new Vector3d(-0.8, 0.1, 0.5).normalize
+    val gloss = new Vector3d(eye).normalize.add(key).normalize
     def color(n: Vector3d) = {
-      val (k, f)                                            = (max(0.0, n.dot(key)), max(0.0, n.dot(fill)))
-      val shine                                             = 0.55 * pow(max(0.0, n.dot(gloss)), 40)
+      val (k, f) = (max(0.0, n.dot(key)), max(0.0, n.dot(fill)))
+      val shine = 0.55 * pow(max(0.0, n.dot(gloss)), 40)
       def channel(base: Double, warm: Double, cool: Double) =
         (base * (0.16 + 0.06 * n.y + warm * k + cool * f) + shine).min(1.0)
       (channel(0.86, 0.86, 0.12), channel(0.42, 0.80, 0.20), channel(0.22, 0.66, 0.42), 1.0)
     }
     val material = Material("glaze", (1, 1, 1), 1, None, Combine.ColorOnly, blend = false, None)
-    val camera   = Camera(eye, new Vector3d(0.42, 1.45, 0), new Vector3d(0, 1, 0), 45, 1, 40)
+    val camera = Camera(eye, new Vector3d(0.42, 1.45, 0), new Vector3d(0, 1, 0), 45, 1, 40)
     Scene("teapot", Teapot.triangles(tessellation, color), IndexedSeq(material), camera, 0x1c2430)
   }
 
@@ -52,16 +52,16 @@ object Scenes {
       def unit(a: Int, v: Double) = new Vector3d().setComponent(a, v)
       // right and up of the face as seen from outside, so that the picture stands upright on the four sides
       val normal = unit(axis, sign)
-      val up     = if (axis == 1) unit(2, -sign) else unit(1, 1)
-      val right  = new Vector3d(up).cross(normal)
+      val up = if (axis == 1) unit(2, -sign) else unit(1, 1)
+      val right = new Vector3d(up).cross(normal)
       val corner = new Vector3d(normal).sub(up).sub(right).mul(0.5)
       Grid.rectangle(corner, right, up, (1, 1), (1, 1), 0)(_ => (1, 1, 1, 1))
     }
     val (turn, elevation, distance) = (toRadians(30), toRadians(39), 3.9)
-    val eye                         =
+    val eye =
       new Vector3d(sin(turn) * cos(elevation), sin(elevation), cos(turn) * cos(elevation)).mul(distance)
     val material = Material("crate", (1, 1, 1), 1, Some(Pictures.crate), Combine.Replace, blend = false, None)
-    val camera   = Camera(eye, new Vector3d, new Vector3d(0, 1, 0), 30, 1, 10)
+    val camera = Camera(eye, new Vector3d, new Vector3d(0, 1, 0), 30, 1, 10)
     Scene("cube", faces.flatten, IndexedSeq(material), camera, 0x203048)
   }
 

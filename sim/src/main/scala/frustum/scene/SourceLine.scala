@@ -40,7 +40,7 @@ object SourceLine {
     */
   def read(file: Path, namedBy: Option[SourceLine] = None): Seq[SourceLine] = {
     def refuse(message: String): Nothing = namedBy.fold[Nothing](throw InputError(message))(_.error(message))
-    val content                          =
+    val content =
       try InputFile.text(file, "give a readable text file", StandardCharsets.ISO_8859_1)
       catch { case InputError(message) => refuse(message) }
     if (content.contains('\u0000')) refuse(s"$file: is not a text file; give an OBJ or MTL file in text form")

@@ -23,12 +23,12 @@ object Teapot {
     */
   private def ring(radius: Double, height: Double): Ring = Ring(radius, height, 0.56 * radius)
 
-  private val rim      = Seq(ring(1.4, 2.4), ring(1.3375, 2.53125), ring(1.4375, 2.53125), ring(1.5, 2.4))
+  private val rim = Seq(ring(1.4, 2.4), ring(1.3375, 2.53125), ring(1.4375, 2.53125), ring(1.5, 2.4))
   private val shoulder = Seq(ring(1.5, 2.4), ring(1.75, 1.875), ring(2, 1.35), ring(2, 0.9))
-  private val belly    = Seq(ring(2, 0.9), ring(2, 0.45), ring(1.5, 0.225), ring(1.5, 0.15))
-  private val knob     = Seq(ring(0, 3.15), Ring(0.8, 3.15, 0.45), ring(0, 2.85), ring(0.2, 2.7))
-  private val lid      = Seq(ring(0.2, 2.7), ring(0.4, 2.55), ring(1.3, 2.55), ring(1.3, 2.4))
-  private val bottom   = Seq(ring(1.5, 0.15), ring(1.5, 0.075), ring(1.425, 0), ring(0, 0))
+  private val belly = Seq(ring(2, 0.9), ring(2, 0.45), ring(1.5, 0.225), ring(1.5, 0.15))
+  private val knob = Seq(ring(0, 3.15), Ring(0.8, 3.15, 0.45), ring(0, 2.85), ring(0.2, 2.7))
+  private val lid = Seq(ring(0.2, 2.7), ring(0.4, 2.55), ring(1.3, 2.55), ring(1.3, 2.4))
+  private val bottom = Seq(ring(1.5, 0.15), ring(1.5, 0.075), ring(1.425, 0), ring(0, 0))
 
   /** A section of handle or spout: its two ends in the plane of symmetry, and half its width. */
   private final case class Section(x0: Double, z0: Double, x1: Double, z1: Double, halfWidth: Double)
@@ -72,7 +72,7 @@ object Teapot {
     def steps(atSix: Int) = (atSix * tessellation / 6.0).round.toInt.max(1)
     parts.toIndexedSeq.flatMap { part =>
       val (nu, nv) = (steps(part.stepsU), steps(part.stepsV))
-      val grid     = IndexedSeq.tabulate(nu + 1, nv + 1) { (i, j) =>
+      val grid = IndexedSeq.tabulate(nu + 1, nv + 1) { (i, j) =>
         val (u, v) = (i.toDouble / nu, j.toDouble / nv)
         val normal = upright(part.patch.normal(u, v))
         MeshVertex(upright(part.patch.point(u, v)), normal, v, 1 - u, color(normal))

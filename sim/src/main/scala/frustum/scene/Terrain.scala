@@ -32,7 +32,7 @@ object Terrain {
   private def ground(x: Double, z: Double) = new Vector3d(x, max(0.0, relief(x, z)), z)
 
   private def normal(x: Double, z: Double): Vector3d = {
-    val step   = 0.5 * cell
+    val step = 0.5 * cell
     val slopeX = ground(x + step, z).y - ground(x - step, z).y
     val slopeZ = ground(x, z + step).y - ground(x, z - step).y
     new Vector3d(-slopeX, 2 * step, -slopeZ).normalize
@@ -40,7 +40,7 @@ object Terrain {
 
   /** Colour by height, darkened on slopes that face away from the sun. */
   private def color(x: Double, z: Double): (Double, Double, Double, Double) = {
-    val h                         = relief(x, z)
+    val h = relief(x, z)
     val bands: Seq[(Double, Rgb)] = Seq(
       (-2.5, (0.05, 0.18, 0.45)),
       (-0.05, (0.16, 0.5, 0.72)),
@@ -50,10 +50,10 @@ object Terrain {
       (2.2, (0.5, 0.45, 0.4)),
       (2.9, (1.0, 1.0, 1.0))
     )
-    val i                         = bands.indexWhere(_._1 >= h) match { case -1 => bands.length - 1; case 0 => 1; case n => n }
-    val ((h0, c0), (h1, c1))      = (bands(i - 1), bands(i))
-    val f                         = ((h - h0) / (h1 - h0)).max(0.0).min(1.0)
-    val sun                       = 0.45 + 0.65 * max(0.0, normal(x, z).dot(new Vector3d(-0.6, 0.7, 0.25).normalize))
+    val i = bands.indexWhere(_._1 >= h) match { case -1 => bands.length - 1; case 0 => 1; case n => n }
+    val ((h0, c0), (h1, c1)) = (bands(i - 1), bands(i))
+    val f = ((h - h0) / (h1 - h0)).max(0.0).min(1.0)
+    val sun = 0.45 + 0.65 * max(0.0, normal(x, z).dot(new Vector3d(-0.6, 0.7, 0.25).normalize))
     def mix(a: Double, b: Double) = ((a + (b - a) * f) * sun).min(1.0)
     (mix(c0._1, c1._1), mix(c0._2, c1._2), mix(c0._3, c1._3), 1)
   }

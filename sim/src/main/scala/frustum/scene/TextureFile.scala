@@ -34,7 +34,7 @@ object TextureFile {
         // before decoding: a wrong size may be a huge one
         fault(reader.getWidth(0), reader.getHeight(0)).foreach(fault => refuse(s"the texture $fault"))
         val picture = reader.read(0)
-        val argb    = colors(picture)
+        val argb = colors(picture)
         TextureImage(picture.getWidth, picture.getHeight, argb.toIndexedSeq, argb.exists(_ >>> 24 != 255))
       } finally stream.close()
     } catch {

@@ -13,8 +13,8 @@ object VoxFile {
   private final case class Voxel(x: Int, y: Int, z: Int, color: Int)
 
   def read(file: Path, size: WorldSize, assets: VoxelAssets): VoxelWorld = {
-    def refuse(what: String): Nothing              = throw InputError(s"$file: $what")
-    val bytes                                      = ByteBuffer.wrap(InputFile.bytes(file, "check the file")).order(ByteOrder.LITTLE_ENDIAN)
+    def refuse(what: String): Nothing = throw InputError(s"$file: $what")
+    val bytes = ByteBuffer.wrap(InputFile.bytes(file, "check the file")).order(ByteOrder.LITTLE_ENDIAN)
     def need(at: Int, n: Long, what: String): Unit =
       if (n < 0 || at + n > bytes.limit)
         refuse(s"byte $at: $what ends beyond the file's ${bytes.limit} bytes; save it again")
@@ -29,7 +29,7 @@ object VoxFile {
       while (at < until) {
         need(at, 12, "a chunk's header")
         val (kind, content, children) = (name(at), bytes.getInt(at + 4), bytes.getInt(at + 8))
-        val body                      = at + 12
+        val body = at + 12
         need(body, content, s"chunk $kind")
         need(body + content, children, s"the children of chunk $kind")
         def sized(n: Long): Unit =
@@ -68,15 +68,15 @@ object VoxFile {
     voxels.find(v => v.x >= sx || v.y >= sy || v.z >= sz).foreach(v =>
       refuse(s"voxel (${v.x}, ${v.y}, ${v.z}) lies outside its model of ${sx}x${sy}x$sz; save it again")
     )
-    val nearest  = palette.map(nearestBlock(assets))
+    val nearest = palette.map(nearestBlock(assets))
     val (x0, y0) = ((size.x - sx) / 2, (size.y - sy) / 2)
-    val at       = voxels.map(v => (v.x + x0, v.y + y0, v.z) -> nearest(v.color)).toMap
+    val at = voxels.map(v => (v.x + x0, v.y + y0, v.z) -> nearest(v.color)).toMap
     VoxelWorld.tabulate(size)((x, y, z) => at.getOrElse((x, y, z), 0))
   }
 
   private def nearestBlock(assets: VoxelAssets): Int => Int = {
     val means = assets.table.ids.map { id =>
-      val top    = assets.table(id).textures(5)
+      val top = assets.table(id).textures(5)
       val texels = for (v <- 0 until 16; u <- 0 until 16) yield assets.textures(top, u, v)
       Seq(12, 8, 4).map(at => texels.map(_ >> at & 15).sum * 17.0 / texels.length)
     }
@@ -92,7 +92,7 @@ object VoxFile {
   private val defaultPalette: IndexedSeq[Int] = {
     val cube =
       for (r <- 255 to 0 by -51; g <- 255 to 0 by -51; b <- 255 to 0 by -51) yield r << 16 | g << 8 | b
-    val ramp  = Seq(0xee, 0xdd, 0xbb, 0xaa, 0x88, 0x77, 0x55, 0x44, 0x22, 0x11)
+    val ramp = Seq(0xee, 0xdd, 0xbb, 0xaa, 0x88, 0x77, 0x55, 0x44, 0x22, 0x11)
     val ramps = ramp.map(_ << 16) ++ ramp.map(_ << 8) ++ ramp ++ ramp.map(_ * 0x010101)
     (0 +: (cube.init ++ ramps)).toIndexedSeq
   }

@@ -12,14 +12,14 @@ object RaySweeps {
   /** Over a screen that many pixels wide; greatest colour error, 255 when a silhouette, a shadow, a checker cell or an object is wrong anywhere. */
   private def error(width: Int, centre: IntVector, radius: Int, light: IntVector): Double = {
     val height = width * 3 / 4
-    val scene  = PongScene.room(width, height, 640 / width).copy(
+    val scene = PongScene.room(width, height, 640 / width).copy(
       spheres = Seq(RaySphere(centre, centre, radius, 0xff0000)),
       light = Some(light)
     )
     val motion = RayMotion(Seq(centre), Seq(IntVector(0, 0, 640)))
     val pixels = new RayPicture(scene, width, height)(motion)
     val counts = new RayJudge(scene, width, height)(motion, pixels.map(_.objectId), pixels.map(_.rgb))
-    val wrong  =
+    val wrong =
       counts.silhouettePixelsWrong + counts.shadowPixelsWrong + counts.objectPixelsWrong + counts.checkerCellsWrong
     if (wrong > 0) 255 else counts.maxColourError
   }

@@ -15,7 +15,7 @@ object SceneSweeps {
   private val config = RasterConfig(96, 96)
   private val repeat = DrawOptions(None, cullBack = false, Wrap.Repeat, 0)
   private val origin = new Vector3d
-  private val up     = new Vector3d(0, 1, 0)
+  private val up = new Vector3d(0, 1, 0)
   private val checks =
     Material("checks", (1, 1, 1), 1, Some(Pictures.checker), Combine.Replace, blend = false, None)
   private val plain = Seq(0xff0000, 0x00ff00).map { c =>
@@ -86,7 +86,7 @@ object SceneSweeps {
 
   /** The same floor on hardware that was made for it alone, and for depths near each other. */
   private def fittedFloor(ratio: Double): PreparedFrame = {
-    val flat   = repeat.copy(depthTest = false)
+    val flat = repeat.copy(depthTest = false)
     val states = floor(1, 2, 1, 0.5, flat).passes.flatMap(_.states)
     val fitted =
       config.copy(ranges = VertexRanges(ratio = VertexRanges.LateRatio), fixed = FixedState.of(states: _*))
@@ -113,7 +113,7 @@ object SceneSweeps {
 
   /** Pixels in per cent that show the farther of two walls. It is drawn first: with equal depths it stays. */
   private def orderWrong(nearer: Double, farther: Double, camera: Camera): Double = {
-    val size  = 4 * farther.max(camera.orthoHeight.getOrElse(0.0))
+    val size = 4 * farther.max(camera.orthoHeight.getOrElse(0.0))
     val quads = Seq(farther -> 0, nearer -> 1).flatMap { case (z, material) =>
       Grid.rectangle(
         new Vector3d(-size, -size, -z),
@@ -136,14 +136,14 @@ object SceneSweeps {
       MeshVertex(new Vector3d(x, y, -2), new Vector3d(0, 0, 1), 0, 0, (1, 1, 1, 1))
     }
     val triangle = Triangle(vertices(0), vertices(1), vertices(2), 0)
-    val camera   = Camera(origin, ahead, up, 60, 1, 4, Some(1.0))
-    val wrong    =
+    val camera = Camera(origin, ahead, up, 60, 1, 4, Some(1.0))
+    val wrong =
       judged(prepare(IndexedSeq(triangle), plain.take(1), camera)).endToEnd.coverageWrong
     100.0 * wrong / (config.width * config.height)
   }
 
   private def stripes(log2: Int): Material = {
-    val side    = 1 << log2
+    val side = 1 << log2
     val picture = TextureImage(
       side,
       side,

@@ -14,10 +14,10 @@ object StabilityMap {
       "of use, red broken, grey refused. The black line below a bar is the declared domain, the blue one where compared systems work."
 
   private val colors = Map[Stability, Color](
-    Stability.Safe     -> new Color(0x4caf6d),
+    Stability.Safe -> new Color(0x4caf6d),
     Stability.Degraded -> new Color(0xf2c14e),
-    Stability.Broken   -> new Color(0xd64545),
-    Stability.Refused  -> new Color(0xb8bcc4)
+    Stability.Broken -> new Color(0xd64545),
+    Stability.Refused -> new Color(0xb8bcc4)
   )
 
   def write(file: Path, results: Seq[SweepResult]): Unit = OutputFile.write(file) { part =>
@@ -36,7 +36,7 @@ object StabilityMap {
       series.setLineStyle(new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL))
     }
     for ((r, i) <- results.zipWithIndex) {
-      val y             = results.length - 1.0 - i
+      val y = results.length - 1.0 - i
       def at(v: Double) = place(r.sweep, v)
       for (((a, b, state), n) <- r.stretches.zipWithIndex) line(s"$i.$n", y, at(a), at(b), colors(state), 14)
       chart.addAnnotation(new AnnotationText(r.sweep.name, -0.09, y, false))

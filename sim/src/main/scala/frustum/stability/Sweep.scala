@@ -12,7 +12,7 @@ object Stability {
 
   /** Beyond the bound, and still of use. */
   case object Degraded extends Stability("degraded")
-  case object Broken   extends Stability("broken")
+  case object Broken extends Stability("broken")
 
   /** Nothing is drawn: generator, driver or the hardware's door say why. */
   case object Refused extends Stability("refused")
@@ -74,7 +74,7 @@ final case class Sweep(
 
   def at(value: Double): Trial =
     try {
-      val e     = error(value)
+      val e = error(value)
       val state =
         if (e <= domain.bound) Stability.Safe else if (e <= broken) Stability.Degraded else Stability.Broken
       Trial(value, state, Some(e), None)
@@ -90,15 +90,15 @@ final case class Sweep(
       val f = i.toDouble / samples
       if (whole) scala.math.rint(from + f * (to - from)) else from * pow(to / from, f)
     }
-    val ends    = Seq(domain.low, domain.high).filter(v => v >= from && v <= to)
-    val trials  = (spread ++ ends).distinct.sorted.map(at)
+    val ends = Seq(domain.low, domain.high).filter(v => v >= from && v <= to)
+    val trials = (spread ++ ends).distinct.sorted.map(at)
     val borders = trials.zip(trials.tail).flatMap { case (a, b) => bisect(a, b) }
     SweepResult(this, trials, borders)
   }
 
   /** Borders between two trials; a third state that shows up between them has borders of its own. */
   private def bisect(low: Trial, high: Trial): Seq[Border] = {
-    val middle  = if (whole) scala.math.floor((low.value + high.value) / 2) else sqrt(low.value * high.value)
+    val middle = if (whole) scala.math.floor((low.value + high.value) / 2) else sqrt(low.value * high.value)
     val settled = if (whole) middle == low.value else high.value / low.value < Sweep.Precision
     if (low.state == high.state) Nil
     else if (settled) Seq(Border(if (whole) high.value else middle, low.state, high.state))
@@ -110,7 +110,7 @@ final case class Sweep(
 }
 
 object Sweep {
-  val Samples   = 16
+  val Samples = 16
   val Precision = 1.01
 
   val all: Seq[Sweep] =

@@ -1,7 +1,15 @@
 package frustum.stability
 
 import frustum.contract.InputError
-import frustum.contract.raster.{FramePass, PackedTriangle, PackedVertex, RasterConfig, RasterDomains, RenderState, TileRegion}
+import frustum.contract.raster.{
+  FramePass,
+  PackedTriangle,
+  PackedVertex,
+  RasterConfig,
+  RasterDomains,
+  RenderState,
+  TileRegion
+}
 import frustum.judge.{CoverageJudge, LoggedFragment}
 import frustum.model.raster.{Rasterizer, ScreenFragment, ScreenFragments}
 import frustum.model.raster.texture.PerspectiveDivide
@@ -15,15 +23,15 @@ import scala.math.{floor, round, scalb}
 object TriangleSweeps {
   import SweepTriangles._
 
-  private val small  = RasterConfig(64, 64)
+  private val small = RasterConfig(64, 64)
   private val medium = RasterConfig(128, 128)
-  private val large  = RasterConfig(512, 480)
+  private val large = RasterConfig(512, 480)
 
   private def pass(config: RasterConfig, triangles: Seq[Seq[PackedVertex]]): FramePass = {
     triangles.flatten.flatMap(_.fault).headOption.foreach(fault => throw InputError(s"vertex: its $fault"))
     val corners = triangles.toIndexedSeq.map { t =>
       val Seq(a, b, c) = t
-      val area         = (b.x - a.x).toLong * (c.y - a.y) - (b.y - a.y).toLong * (c.x - a.x)
+      val area = (b.x - a.x).toLong * (c.y - a.y) - (b.y - a.y).toLong * (c.x - a.x)
       if (area < 0) Seq(a, c, b) else t
     }
     FramePass(
@@ -40,7 +48,7 @@ object TriangleSweeps {
       config: RasterConfig,
       triangles: Seq[Seq[PackedVertex]]
   )(error: (ScreenFragment, Attributes) => Double): Double = {
-    val p      = pass(config, triangles)
+    val p = pass(config, triangles)
     val truths = p.triangles.map(t =>
       new TriangleAttributes(IndexedSeq(t.v0, t.v1, t.v2).map(i => ScreenVertex.of(p.vertices(i))))
     )
@@ -80,8 +88,8 @@ object TriangleSweeps {
   /** A rectangle in three triangles: two meet a vertex half-way along the third's long edge, which lies `off` beside it. */
   private def junction(off: Int): Double = {
     val Seq(a, b, c, d) = Seq((100, 100), (1900, 500), (1500, 1900), (100, 1500))
-    val m               = ((a._1 + c._1) / 2 + off, (a._2 + c._2) / 2)
-    val p               =
+    val m = ((a._1 + c._1) / 2 + off, (a._2 + c._2) / 2)
+    val p =
       pass(
         medium,
         Seq(Seq(a, b, c), Seq(a, m, d), Seq(m, c, d)).map(_.map { case (x, y) => vertex(x, y, 0, 1, 0, 0) })

@@ -37,11 +37,11 @@ object UnitSweeps {
       (table(i) / scale / exact - 1).abs
     }.maxOption.getOrElse(0)
 
-  private val root    = new FunctionTable(true, x => 65536 * sqrt(x))
+  private val root = new FunctionTable(true, x => 65536 * sqrt(x))
   private val inverse = new FunctionTable(false, x => 16384 / sqrt(x))
 
   private def layers(count: Int): Double = {
-    val random    = new Random(1)
+    val random = new Random(1)
     def channel() = Seq(0, 255, random.nextInt(256))(random.nextInt(3))
     Seq.fill(4000) {
       val stack = Seq.tabulate(count)(n => (channel(), if (n == count - 1) 15 else random.nextInt(16)))

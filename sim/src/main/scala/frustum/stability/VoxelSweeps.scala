@@ -12,11 +12,11 @@ import org.joml.Vector3d
 
 /** Views of a small world of hills, the model held against exact marching. */
 object VoxelSweeps {
-  private val base       = VoxelConfig(size = WorldSize(32, 32, 16), width = 48, height = 36)
+  private val base = VoxelConfig(size = WorldSize(32, 32, 16), width = 48, height = 36)
   private lazy val hills = Hills(base.size, 1)
 
   private def counts(c: VoxelConfig, view: VoxelView): VoxelCounts = {
-    val model  = new VoxelModel(c, Blocks.assets, hills)
+    val model = new VoxelModel(c, Blocks.assets, hills)
     val camera = view.camera(c)
     val pixels = for (j <- 0 until c.height; i <- 0 until c.width) yield model.pixel(camera, i, j)
     new VoxelJudge(model).picture(camera, view, pixels)
@@ -48,7 +48,7 @@ object VoxelSweeps {
 
   private def directionError(c: VoxelConfig, views: Seq[VoxelView]): Double = views.map { v =>
     val camera = v.camera(c)
-    val ideal  = new IdealVoxelPicture(c, Blocks.assets, hills, v)
+    val ideal = new IdealVoxelPicture(c, Blocks.assets, hills, v)
     (for (j <- 0 until c.height by 13; i <- 0 until c.width by 13) yield {
       val ray = VoxelRaySetup(camera.eye.axes, camera.direction(i, j), c)
       ideal.directionError(i, j, VoxelJudge.direction(ray, c.slopeBits).map(_.toDouble))

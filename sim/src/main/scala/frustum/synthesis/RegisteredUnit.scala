@@ -7,12 +7,12 @@ import spinal.core._
   */
 final class RegisteredUnit(make: => Component) extends Component {
   val io = new Bundle {
-    val in  = spinal.core.in Bool ()
+    val in = spinal.core.in Bool ()
     val out = spinal.core.out Bool ()
   }
   val unit = make
   unit.setDefinitionName("unit")
-  private val clocks            = unit.pulledDataCache.values.toSet[Data] // ports that a black box's clock made
+  private val clocks = unit.pulledDataCache.values.toSet[Data] // ports that a black box's clock made
   private val (inputs, outputs) = unit.getOrdredNodeIo.filterNot(clocks).partition(_.isInput)
 
   val shift = Reg(Bits(inputs.map(_.getBitsWidth).sum bits))

@@ -37,21 +37,21 @@ object UnitCost {
   */
 final class UnitCosts(say: String => Unit) {
   private lazy val tools = Ice40Tools.find(say)
-  private val cache      = Path.of(".cache", "chart")
-  private val work       = cache.resolve("work")
+  private val cache = Path.of(".cache", "chart")
+  private val work = cache.resolve("work")
 
   /** What synthesis makes of it. */
   def apply(name: String)(unit: => Component): UnitCost = {
     val figures = kept("unit")(unit) {
       say(s"synthesising $name")
-      val cells                        = synthesised("unit")
+      val cells = synthesised("unit")
       def count(of: String => Boolean) = cells.collect { case (kind, n) if of(kind) => n }.sum
       ujson.Obj(
-        "unit"        -> name,
-        "luts"        -> count(_ == "SB_LUT4"),
-        "flipFlops"   -> count(_.startsWith("SB_DFF")),
+        "unit" -> name,
+        "luts" -> count(_ == "SB_LUT4"),
+        "flipFlops" -> count(_.startsWith("SB_DFF")),
         "multipliers" -> count(_ == "SB_MAC16"),
-        "blockRams"   -> count(_.startsWith("SB_RAM40"))
+        "blockRams" -> count(_.startsWith("SB_RAM40"))
       )
     }
     def of(key: String) = figures(key).num.toInt
@@ -67,7 +67,7 @@ final class UnitCosts(say: String => Unit) {
         place(seed)
       }
       ujson.Obj(
-        "unit"     -> name,
+        "unit" -> name,
         "clockMHz" -> clocks.flatten.minOption.fold[ujson.Value](ujson.Null)(ujson.Num(_))
       )
     }
@@ -76,7 +76,7 @@ final class UnitCosts(say: String => Unit) {
 
   /** MHz, or None where the unit does not fit. */
   private def place(seed: Int): Option[Double] = {
-    val log  = "timed.nextpnr.log"
+    val log = "timed.nextpnr.log"
     val code = tools.nextpnr.run(
       work,
       log,
@@ -102,7 +102,7 @@ final class UnitCosts(say: String => Unit) {
   private def kept(top: String)(unit: => Component)(measure: => ujson.Obj): ujson.Value = {
     UnitVerilog.write(work, top)(unit)
     val verilog = Files.readAllBytes(work.resolve(s"$top.v"))
-    val digest  = MessageDigest.getInstance(
+    val digest = MessageDigest.getInstance(
       "SHA-256"
     ).digest(verilog ++ Ice40Flow.Synthesis.getBytes).take(12).map("%02x".format(_)).mkString
     val file = cache.resolve(s"$digest.json")

@@ -12,15 +12,15 @@ import scala.util.Random
 /** A table look-up with a single enable amid `stages` stages, beside a sum that goes from stage to stage. */
 class LockstepBench(stages: Int) extends Component {
   val io = new Bundle {
-    val up   = slave(Stream(UInt(8 bits)))
+    val up = slave(Stream(UInt(8 bits)))
     val down = master(Stream(UInt(16 bits)))
     val busy = out Bool ()
   }
-  val line        = new LockstepPipeline(stages)
+  val line = new LockstepPipeline(stages)
   val SUM, SQUARE = Payload(UInt(16 bits))
-  val squares     = Mem(UInt(16 bits), (0 to 255).map(n => U(n * n, 16 bits)))
+  val squares = Mem(UInt(16 bits), (0 to 255).map(n => U(n * n, 16 bits)))
   line(0).driveFrom(io.up)((_, _) => ())
-  line(0)(SUM)    := io.up.payload.resized
+  line(0)(SUM) := io.up.payload.resized
   line(1)(SQUARE) := squares.readSync(io.up.payload, line.enable)
   line.nodes.last.driveTo(io.down)((to, node) => to := node(SUM) + node(SQUARE))
   io.busy := line.anyValid
@@ -30,11 +30,11 @@ class LockstepBench(stages: Int) extends Component {
 /** The shortest pipeline behind a longer one. */
 class LockstepPair extends Component {
   val io = new Bundle {
-    val up   = slave(Stream(UInt(8 bits)))
+    val up = slave(Stream(UInt(8 bits)))
     val down = master(Stream(UInt(16 bits)))
     val busy = out Bool ()
   }
-  val long  = new LockstepBench(5)
+  val long = new LockstepBench(5)
   val short = new LockstepBench(1)
   long.io.up << io.up
   short.io.up << long.io.down.translateWith(long.io.down.payload(7 downto 0))

@@ -12,13 +12,17 @@ class MultiplyAddPairTest extends AnyFunSuite {
 
   test("each half is its addend and product, one clock later") {
     FrustumSim.compile("MultiplyAddPair")(MultiplyAddPair(Tech.Generic)).doSim(seed) { dut =>
-      val r                              = new Random(seed)
+      val r = new Random(seed)
       def any(corners: Int*)(of: => Int) = if (r.nextBoolean()) corners(r.nextInt(corners.size)) else of
       dut.clockDomain.forkStimulus(10)
       dut.clockDomain.waitSampling()
       for (n <- 0 until 2000) {
         val operands = Seq.fill(2)(
-          (any(-128, -1, 0, 127)(r.between(-128, 128)), any(0, 32, 255)(r.nextInt(256)), any(0, 65535)(r.nextInt(65536)))
+          (
+            any(-128, -1, 0, 127)(r.between(-128, 128)),
+            any(0, 32, 255)(r.nextInt(256)),
+            any(0, 65535)(r.nextInt(65536))
+          )
         )
         for (((a, b, addend), i) <- operands.zipWithIndex) {
           dut.io.a(i) #= a

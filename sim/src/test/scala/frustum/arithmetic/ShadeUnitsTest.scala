@@ -12,7 +12,7 @@ import scala.util.Random
 
 /** The units that shading is made of, against whole numbers and the functions they stand for. */
 class ShadeUnitsTest extends AnyFunSuite {
-  private val root    = new FunctionTable(rises = true, x => 65535 * sqrt(x.max(1.0 / 65536)))
+  private val root = new FunctionTable(rises = true, x => 65535 * sqrt(x.max(1.0 / 65536)))
   private val inverse = new FunctionTable(rises = false, x => 65535 / (1 + x))
 
   for ((name, table) <- Seq("rises" -> root, "falls" -> inverse))
@@ -32,7 +32,7 @@ class ShadeUnitsTest extends AnyFunSuite {
 
   test("a table's error is a line's and a unit of rounding, from the second interval on") {
     for (x <- 256 until 65536) {
-      val t     = (x + 0.5) / 65536
+      val t = (x + 0.5) / 65536
       val bound =
         1 + 65535 * scala.math.pow(1.0 / 256, 2) / 8 * scala.math.pow(t - 1.0 / 256, -1.5).min(4096) / 4 + 1
       assert((root(x) - 65535 * sqrt(t)).abs <= bound, s"root of $x")
@@ -41,10 +41,10 @@ class ShadeUnitsTest extends AnyFunSuite {
   }
 
   for (width <- Seq(9, 16, 17, 27, 31)) test(s"wide product, a of $width bits") {
-    val random  = new Random(width)
-    val most    = (1L << width - 1) - 1
+    val random = new Random(width)
+    val most = (1L << width - 1) - 1
     val corners = for (a <- Seq(-most - 1, -1L, 0L, 1L, most); b <- Seq(0, 1, 0x8000, 0xffff)) yield (a, b)
-    val pairs   = corners ++ Seq.fill(500)((random.between(-most - 1, most + 1), random.nextInt(65536)))
+    val pairs = corners ++ Seq.fill(500)((random.between(-most - 1, most + 1), random.nextInt(65536)))
     FrustumSim.compile(s"WideMultiplier_$width")(WideMultiplier(Tech.Generic, width)).doSim("pairs", 1) {
       dut =>
         dut.clockDomain.forkStimulus(10)
@@ -64,7 +64,7 @@ class ShadeUnitsTest extends AnyFunSuite {
     }
     FrustumSim.compile(s"MemoryDelay_$clocks")(new Late).doSim("row", 1) { dut =>
       val random = new Random(1)
-      val row    = Seq.fill(100)(random.nextInt(32))
+      val row = Seq.fill(100)(random.nextInt(32))
       dut.io.a #= 0
       dut.clockDomain.forkStimulus(10)
       dut.clockDomain.waitSampling(50)

@@ -10,12 +10,12 @@ import spinal.core.sim._
 private case class ClockCount() extends Component {
   val io = new Bundle {
     val clk, resetn = in Bool ()
-    val count       = out UInt (16 bits)
+    val count = out UInt (16 bits)
   }
   noIoPrefix()
   val core = new ClockingArea(ArtyDomain(io.clk, io.resetn, 100 MHz)) {
     val count = Reg(UInt(16 bits)) init 0
-    count    := count + 1
+    count := count + 1
     io.count := count
   }
 }

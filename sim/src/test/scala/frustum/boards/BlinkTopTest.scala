@@ -14,7 +14,7 @@ class BlinkTopTest extends AnyFunSuite {
         top
       }
       .doSim("pins", seed = 1) { dut =>
-        def count                = dut.core.counter.value.toInt
+        def count = dut.core.counter.value.toInt
         def clocks(n: Int): Unit = for (_ <- 0 until n) {
           dut.io.clk #= false; sleep(10); dut.io.clk #= true; sleep(10)
         }

@@ -23,7 +23,7 @@ class FlowFiguresTest extends AnyFunSuite {
     fits = true,
     Map("ICESTORM_LC" -> (100 + seed)),
     Map("ICESTORM_LC" -> 5280),
-    Map(top.core.net  -> ((core, 36.0)), "sck$SB_IO_IN_$glb_clk" -> ((sck, 48.0)))
+    Map(top.core.net -> ((core, 36.0)), "sck$SB_IO_IN_$glb_clk" -> ((sck, 48.0)))
   )
 
   private def report(icetime: Seq[Double], placements: Placement*) =
@@ -45,7 +45,7 @@ class FlowFiguresTest extends AnyFunSuite {
 
   test("a program that finds no end is stopped at its limit, with what it started") {
     val folder = Files.createTempDirectory("limit")
-    val shell  = Tool("sh", "", Seq("sh"), Map())
+    val shell = Tool("sh", "", Seq("sh"), Map())
     val script = Seq("-c", "sleep 600 & echo $! > child; wait")
     assert(shell.runWithin(2.seconds)(folder, "log", script).isEmpty)
     val child = ProcessHandle.of(Files.readString(folder.resolve("child")).trim.toLong)
@@ -95,7 +95,7 @@ class FlowFiguresTest extends AnyFunSuite {
 
   test("a design that does not fit has no clock, and a clock nobody asked a frequency of is an error") {
     val (used, available) = Nextpnr.utilisation(log)
-    val json              = report(Seq(), Placement(1, fits = false, used, available, Map())).json("0")
+    val json = report(Seq(), Placement(1, fits = false, used, available, Map())).json("0")
     assert(json("fits") == ujson.False && json("meetsTarget") == ujson.False && json("logicCells").num == 5412)
     assert(!json.value.contains("clockMHz"))
     val stray = placement(1, 42).copy(clocks = Map(top.core.net -> ((42.0, 36.0)), "stray" -> ((9.0, 36.0))))

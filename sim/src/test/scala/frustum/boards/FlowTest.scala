@@ -25,10 +25,10 @@ class FlowTest extends AnyFunSuite {
   }
 
   test("a small design becomes a bitstream with its figures") {
-    val tools     = native
+    val tools = native
     val directory = scratch()
-    val top       = BlinkTop.table(36, pins(directory))
-    val report    = new Ice40Flow(tools).run(top, 1 to 2, directory, println(_), Nextpnr.Static)
+    val top = BlinkTop.table(36, pins(directory))
+    val report = new Ice40Flow(tools).run(top, 1 to 2, directory, println(_), Nextpnr.Static)
     assert(report.fits && report.meetsTarget, report.shortfalls)
     assert(Files.size(directory.resolve("blink.bin")) > 100000)
     val json = report.json("1")
@@ -38,10 +38,10 @@ class FlowTest extends AnyFunSuite {
   }
 
   test("a target out of reach is reported, not hidden") {
-    val tools     = native
+    val tools = native
     val directory = scratch()
-    val top       = BlinkTop.table(180, pins(directory))
-    val report    = new Ice40Flow(tools).run(top, 1 to 1, directory, _ => (), Nextpnr.Heap)
+    val top = BlinkTop.table(180, pins(directory))
+    val report = new Ice40Flow(tools).run(top, 1 to 1, directory, _ => (), Nextpnr.Heap)
     assert(report.fits && !report.meetsTarget)
     assert(report.json("1")("meetsTarget") == ujson.False)
   }

@@ -26,8 +26,8 @@ class VoxelTopTest extends AnyFunSuite {
         }
       case _ =>
     })
-    val seen                         = mutable.Set.empty[BaseType]
-    val found                        = mutable.Set.empty[String]
+    val seen = mutable.Set.empty[BaseType]
+    val found = mutable.Set.empty[String]
     def follow(from: BaseType): Unit = for (to <- loads(from) if seen.add(to))
       if (to.isReg) found += to.component.getClass.getSimpleName else follow(to)
     follow(pin)
@@ -35,10 +35,10 @@ class VoxelTopTest extends AnyFunSuite {
   }
 
   test("the serial line and the pad's answer reach nothing but synchronisers") {
-    val size  = WorldSize(8, 8, 8)
+    val size = WorldSize(8, 8, 8)
     val large = ArtyTops.voxelConfig
     val small = large.copy(voxel = large.voxel.copy(size = size), rules = large.rules.copy(size = size))
-    val top   = SpinalConfig(targetDirectory = Files.createTempDirectory("voxel-top").toString)
+    val top = SpinalConfig(targetDirectory = Files.createTempDirectory("voxel-top").toString)
       .generateVerilog(VoxelTop(small, Tech.Generic)).toplevel
     for (pin <- Seq(top.io.uart, top.io.pad_dat)) assert(firstRegisters(top, pin) == Set("BufferCC"), pin)
   }

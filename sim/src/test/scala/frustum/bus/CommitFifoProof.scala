@@ -8,21 +8,21 @@ import spinal.lib._
 
 /** The FIFO with counters beside it that follow the rules: words pushed, made visible, taken. */
 class CommitFifoClaims(depth: Int, margin: Int) extends Component {
-  val fifo                    = FormalDut(CommitFifo(depth, margin))
-  val io                      = fifo.io
-  val push                    = anyseq(cloneOf(io.push))
+  val fifo = FormalDut(CommitFifo(depth, margin))
+  val io = fifo.io
+  val push = anyseq(cloneOf(io.push))
   val commit, rollback, ready = anyseq(Bool())
   assumeInitial(clockDomain.isResetActive)
   io.push << push
-  io.commit    := commit
-  io.rollback  := rollback
+  io.commit := commit
+  io.rollback := rollback
   io.pop.ready := ready
   assume(!rollback || !commit && !push.valid) // a rollback goes alone
 
   val visible, speculative = Reg(UInt(log2Up(depth) + 2 bits)) init 0
-  val pushes               = push.valid && !io.full
-  val pops                 = io.pop.fire
-  visible     := visible - pops.asUInt + Mux(commit, speculative, U(0).resized)
+  val pushes = push.valid && !io.full
+  val pops = io.pop.fire
+  visible := visible - pops.asUInt + Mux(commit, speculative, U(0).resized)
   speculative := Mux(commit || rollback, U(0).resized, speculative) + pushes.asUInt
 
   // What the pointers have to do with the counters: without this, induction starts from states that are never reached.
@@ -48,24 +48,24 @@ class CommitFifoControl(depth: Int, margin: Int) extends CommitFifoClaims(depth,
 
 /** One word, picked at any time, comes out in its turn unless it is rolled back. */
 class CommitFifoOrder(depth: Int, margin: Int) extends CommitFifoClaims(depth, margin) {
-  val pick             = anyseq(Bool())
+  val pick = anyseq(Bool())
   val watched, certain = RegInit(False)
-  val word             = Reg(Bits(16 bits))
-  val ahead            = Reg(UInt(visible.getWidth + 1 bits))
-  val memory           = fifo.rework(new Area {
+  val word = Reg(Bits(16 bits))
+  val ahead = Reg(UInt(visible.getWidth + 1 bits))
+  val memory = fifo.rework(new Area {
     val address = in UInt (log2Up(depth) bits)
-    val data    = out(fifo.memory.readAsync(address))
+    val data = out(fifo.memory.readAsync(address))
   })
   memory.address := (fifo.fetched.pull() + ahead - io.pop.valid.asUInt).resized
   when(!watched && pick && pushes) {
     watched := True
     certain := False
-    word    := push.payload
-    ahead   := visible +^ speculative - pops.asUInt
+    word := push.payload
+    ahead := visible +^ speculative - pops.asUInt
   }
   when(watched) {
-    when(commit)(certain               := True)
-    when(pops)(ahead                   := ahead - 1)
+    when(commit)(certain := True)
+    when(pops)(ahead := ahead - 1)
     when(rollback && !certain)(watched := False)
     when(pops && ahead === 0) {
       assert(certain && io.pop.payload === word)

@@ -24,23 +24,23 @@ class CommitFifoTest extends AnyFunSuite {
   for ((depth, margin) <- Seq(8 -> 3, 256 -> 16, 64 -> 63))
     test(s"$depth words, margin $margin") {
       FrustumSim.compile(s"CommitFifo_$depth")(CommitFifo(depth, margin)).doSim(seed) { dut =>
-        val r                        = new Random(seed)
-        val fifo                     = new model.bus.CommitFifo
+        val r = new Random(seed)
+        val fifo = new model.bus.CommitFifo
         var popped, lost, rolledBack = 0
-        var offered: Option[Int]     = None // a word that the reader did not take
-        var heldBefore, heldEarlier  = 0
-        var calm, streamed           = 0    // clocks in which everything went through at once
+        var offered: Option[Int] = None // a word that the reader did not take
+        var heldBefore, heldEarlier = 0
+        var calm, streamed = 0 // clocks in which everything went through at once
         Seq(dut.io.push.valid, dut.io.commit, dut.io.rollback, dut.io.pop.ready).foreach(_ #= false)
         dut.clockDomain.forkStimulus(10)
         dut.clockDomain.waitSampling(2)
         for (clock <- 0 until 30000) {
-          val mood              = moods(clock / 500 % moods.size)
+          val mood = moods(clock / 500 % moods.size)
           def chance(p: Double) = r.nextDouble() < p
           // A rollback goes alone: what is pushed with it is not spoken of, nor both changes of mind at once.
-          val rollback       = chance(mood.rollback)
+          val rollback = chance(mood.rollback)
           val (push, commit) = (!rollback && chance(mood.push), !rollback && chance(mood.commit))
-          val ready          = chance(mood.ready)
-          val word           = r.nextInt(65536)
+          val ready = chance(mood.ready)
+          val word = r.nextInt(65536)
           dut.io.push.valid #= push
           dut.io.push.payload #= word
           dut.io.commit #= commit
@@ -49,7 +49,7 @@ class CommitFifoTest extends AnyFunSuite {
           sleep(1)
           def where = s"seed $seed clock $clock"
           val valid = dut.io.pop.valid.toBoolean
-          val full  = dut.io.full.toBoolean
+          val full = dut.io.full.toBoolean
           if (valid) {
             val got = dut.io.pop.payload.toInt
             offered.foreach(was => assert(got == was, s"$where: a word changed while it waited"))

@@ -18,15 +18,15 @@ import scala.util.Random
 /** From the pins to the store. */
 case class SpiLinkTop(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val pins    = slave(CommandPins())
-    val cts     = out Bool ()
-    val rival   = slave(StoreBus(StoreLayout(config)))
-    val texels  = master(Stream(TexelWrite()))
-    val job     = master(Stream(FrameJob(config)))
+    val pins = slave(CommandPins())
+    val cts = out Bool ()
+    val rival = slave(StoreBus(StoreLayout(config)))
+    val texels = master(Stream(TexelWrite()))
+    val job = master(Stream(FrameJob(config)))
     val jobDone = in Bool ()
   }
-  val spi   = SpiSlave()
-  val link  = CommandLink(config)
+  val spi = SpiSlave()
+  val link = CommandLink(config)
   val store = Store(StoreLayout(config), 2, Tech.Generic)
   store.io.clients(0) <> io.rival
   store.io.clients(1) <> link.io.store
@@ -36,11 +36,11 @@ case class SpiLinkTop(config: RasterConfig) extends Component {
   link.io.texels >> io.texels
   link.io.job >> io.job
   link.io.jobDone := io.jobDone
-  io.cts          := link.io.status.cts
+  io.cts := link.io.status.cts
 }
 
 class SpiSlaveTest extends AnyFunSuite {
-  private val config        = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
+  private val config = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
   private lazy val compiled = FrustumSim.compile("SpiLinkTop")(SpiLinkTop(config))
 
   // Times in ps: half periods of SCK at 48 MHz and 10 MHz, periods of core clocks at 36, 48 and 24 MHz.
@@ -69,7 +69,7 @@ class SpiSlaveTest extends AnyFunSuite {
     val twice = host.status() ++ host.status()
     for (status <- twice.grouped(LinkStatus.Bytes)) {
       val counters = model.counters(sink.done)
-      val errors   = counters.copy(accepted = 0, drawn = 0) != frustum.model.raster.link.LinkCounters(0, 0, 0, 0, 0, 0)
+      val errors = counters.copy(accepted = 0, drawn = 0) != frustum.model.raster.link.LinkCounters(0, 0, 0, 0, 0, 0)
       assert(SpiHost.counters(status) == counters, where)
       assert(status(1) == LinkStatus.Version, where)
       assert(status(2) == ((sink.done & 1) << 1 | 4 | (if (errors) 8 else 0)), where)
@@ -99,9 +99,9 @@ class SpiSlaveTest extends AnyFunSuite {
   test("a host that ignores cts loses whole commands, each counted, and nothing hangs") {
     simulate("ignore", 5, sck48, 27778) { (dut, host, sink, model) =>
       val texels = Command.encode(Command.Texels, 0 +: (0 until 100))
-      val begin  = Command.encode(Command.Begin, Seq(1, 2, 0, 0))
-      val draw   = Command.encode(Command.Draw, Seq(0, 0))
-      val burst  = (begin ++ draw ++ begin ++ draw ++ begin ++ draw) ++ Seq.fill(20)(texels).flatten
+      val begin = Command.encode(Command.Begin, Seq(1, 2, 0, 0))
+      val draw = Command.encode(Command.Draw, Seq(0, 0))
+      val burst = (begin ++ draw ++ begin ++ draw ++ begin ++ draw) ++ Seq.fill(20)(texels).flatten
       sink.paused = true
       host.send(burst, heedCts = false)
       sink.paused = false
@@ -121,7 +121,7 @@ class SpiSlaveTest extends AnyFunSuite {
       val t = new LinkTraffic(config, new Random(6))
       for (n <- 0 to 24) {
         val bytes = if (n == 0) t.fill() else t.bytes(t.frame(n), errors = false)
-        val cut   = bytes.take(n * 5)
+        val cut = bytes.take(n * 5)
         host.send(cut)
         host.sendBits(0xa5, n % 8) // the rest of the byte never comes
         host.send(bytes)

@@ -18,7 +18,7 @@ class ChartTest extends AnyFunSuite {
   }
 
   test("reciprocal: an index bit more halves a table's error and quarters that of a line or a Newton step") {
-    val chart                        = ReciprocalFamily.charts(None).head
+    val chart = ReciprocalFamily.charts(None).head
     def gain(method: String, n: Int) = { val e = series(chart, method); e(n) / e(n + 1) }
     for (n <- 0 to 6) {
       assert(gain("table", n) > 1.8 && gain("table", n) < 2.2)
@@ -34,7 +34,7 @@ class ChartTest extends AnyFunSuite {
 
   test("depth: OpenGL's z needs gaps in proportion to the range, a reversed float does not") {
     val chart = DepthFamily.charts(None).find(_.name == "depth-range").get
-    val z     = series(chart, "z of OpenGL, linear on the screen")
+    val z = series(chart, "z of OpenGL, linear on the screen")
     val float = series(chart, "reversed float, 5 bits of exponent")
     assert(z.last / z(3) > 50 && float.last / float(3) < 1.5)
   }
@@ -107,7 +107,7 @@ class ChartTest extends AnyFunSuite {
   }
 
   test("depth: 1/w without regard to the far plane is OpenGL's z with the far plane far away") {
-    val bits               = DepthFamily.charts(None).find(_.name == "depth-bits").get
+    val bits = DepthFamily.charts(None).find(_.name == "depth-bits").get
     def at(method: String) = series(bits, method)(4)
     assert(
       (at("1/w, without regard to the far plane") / at("z of OpenGL, linear on the screen") - 1).abs < 0.25
@@ -126,7 +126,10 @@ class ChartTest extends AnyFunSuite {
     val chart = Chart("n", "t", "c", "e", Seq(d, b, c, a), None, None, 1e-3, "")
     assert(chart.front == Seq(a, b, d))
     val other = Seq(c, d).map(_.copy(method = "other scene"))
-    assert(Chart("n", "t", "c", "e", Seq(a, b) ++ other, None, None, 1e-3, "", scenes = true).fronts == Seq(Seq(a, b), other))
+    assert(Chart("n", "t", "c", "e", Seq(a, b) ++ other, None, None, 1e-3, "", scenes = true).fronts == Seq(
+      Seq(a, b),
+      other
+    ))
     assert(Chart("n", "t", "c", "e", Seq(a, b) ++ other, None, None, 1e-3, "").front == Seq(a, b, other(1)))
   }
 

@@ -11,7 +11,7 @@ class LongDivisionTest extends AnyFunSuite {
   test("the charted divider divides: hardware equals whole-number division, a pair a clock") {
     val random = new Random(1)
     val inputs = Seq.fill(300) {
-      val q         = 2 + random.nextInt(Int.MaxValue - 2) >> random.nextInt(16)
+      val q = 2 + random.nextInt(Int.MaxValue - 2) >> random.nextInt(16)
       def numerator = if (q < 2) 0 else random.between(1 - q, q)
       (numerator, numerator, q.max(1))
     }

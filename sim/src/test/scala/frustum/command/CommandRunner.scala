@@ -8,7 +8,7 @@ final case class CommandRun(code: Int, out: String, err: Seq[String])
 object CommandRunner {
   def run(args: String*): CommandRun = {
     val (out, err) = (new ByteArrayOutputStream, new ByteArrayOutputStream)
-    val code       = Console.withOut(out)(Console.withErr(err)(Main.run(args)))
+    val code = Console.withOut(out)(Console.withErr(err)(Main.run(args)))
     CommandRun(code, out.toString, err.toString.linesIterator.toSeq)
   }
 }

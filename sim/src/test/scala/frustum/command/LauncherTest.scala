@@ -11,7 +11,13 @@ class LauncherTest extends AnyFunSuite {
   test("a command line, or a command and its options, is run outside of sbt") {
     for (
       words <-
-        Seq(Seq("demo"), Seq("play pong"), Seq("render --scene teapot"), Seq("render", "--obj", "a b.obj"), Seq("render --bad"))
+        Seq(
+          Seq("demo"),
+          Seq("play pong"),
+          Seq("render --scene teapot"),
+          Seq("render", "--obj", "a b.obj"),
+          Seq("render --bad")
+        )
     )
       assert(taken(words: _*), words)
   }

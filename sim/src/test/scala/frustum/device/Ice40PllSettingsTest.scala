@@ -26,8 +26,14 @@ class Ice40PllSettingsTest extends AnyFunSuite {
   }
 
   test("frequencies beyond the part are refused with their numbers") {
-    assert(intercept[IllegalArgumentException](Ice40PllSettings(BigDecimal(12), BigDecimal(300))).getMessage.contains("300"))
-    assert(intercept[IllegalArgumentException](Ice40PllSettings(BigDecimal(5), BigDecimal(36))).getMessage.contains("10..133"))
+    assert(intercept[IllegalArgumentException](Ice40PllSettings(
+      BigDecimal(12),
+      BigDecimal(300)
+    )).getMessage.contains("300"))
+    assert(intercept[IllegalArgumentException](Ice40PllSettings(
+      BigDecimal(5),
+      BigDecimal(36)
+    )).getMessage.contains("10..133"))
     assert(intercept[IllegalArgumentException](Ice40PllSettings(12, 0, 10, 4)).getMessage.contains("oscillator"))
   }
 

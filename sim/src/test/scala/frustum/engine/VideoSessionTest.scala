@@ -9,11 +9,11 @@ import spinal.core.sim._
 
 /** Counters for a picture: colour is column plus frame, plus one so that it is never black. */
 case class BeamPattern(mode: VideoMode) extends Component {
-  val io      = new Bundle { val run = in Bool () }
+  val io = new Bundle { val run = in Bool () }
   val monitor = SimVideoMonitor(mode, 12)
-  val h       = Reg(UInt(12 bits)).init(0).simPublic()
-  val v       = Reg(UInt(12 bits)) init mode.vTotal - 4 // so that there are lines to lock to
-  val f       = Reg(UInt(12 bits)) init 4095
+  val h = Reg(UInt(12 bits)).init(0).simPublic()
+  val v = Reg(UInt(12 bits)) init mode.vTotal - 4 // so that there are lines to lock to
+  val f = Reg(UInt(12 bits)) init 4095
   when(io.run) {
     h := h + 1
     when(h === mode.hTotal - 1) {
@@ -22,17 +22,17 @@ case class BeamPattern(mode: VideoMode) extends Component {
       when(v === mode.vTotal - 1) { v := 0; f := f + 1 }
     }
   }
-  private val left   = mode.hSync + mode.hBack
-  private val top    = mode.vSync + mode.vBack
+  private val left = mode.hSync + mode.hBack
+  private val top = mode.vSync + mode.vBack
   private val active = h >= left && h < left + mode.width && v >= top && v < top + mode.height
-  monitor.io.pins.hSync  := (h < mode.hSync) === Bool(mode.hPositive)
-  monitor.io.pins.vSync  := (v < mode.vSync) === Bool(mode.vPositive)
+  monitor.io.pins.hSync := (h < mode.hSync) === Bool(mode.hPositive)
+  monitor.io.pins.vSync := (v < mode.vSync) === Bool(mode.vPositive)
   monitor.io.pins.active := active
-  monitor.io.pins.color  := Mux(active, (h - left + f + 1).asBits, B(0))
+  monitor.io.pins.color := Mux(active, (h - left + f + 1).asBits, B(0))
 }
 
 class VideoSessionTest extends AnyFunSuite {
-  private val mode          = VideoMode("small", 1, 64, 32, 2, 3, 4, 1, 2, 3, hPositive = true, vPositive = false)
+  private val mode = VideoMode("small", 1, 64, 32, 2, 3, 4, 1, 2, 3, hPositive = true, vPositive = false)
   private lazy val compiled = FrustumSim.compile("VideoSession")(BeamPattern(mode))
 
   private def run(body: (BeamPattern, VideoSession) => Unit): Unit = compiled.doSim("seed1", 1) { dut =>

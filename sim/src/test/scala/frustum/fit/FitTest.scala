@@ -13,7 +13,7 @@ import scala.util.Random
 
 /** The answers of `fit` are honest: what they save can be saved, and no bit more. */
 class FitTest extends AnyFunSuite {
-  private val seed  = 1L
+  private val seed = 1L
   private val small = RasterConfig(width = 80, height = 64)
 
   private def fit(scene: Scene, budget: FitBudget): FitResult = {
@@ -24,7 +24,7 @@ class FitTest extends AnyFunSuite {
 
   /** The cube with a picture of so many texels a side, each of its own colour. */
   private def cube(side: Int): Scene = {
-    val random  = new Random(seed)
+    val random = new Random(seed)
     val picture = TextureImage(
       side,
       side,
@@ -53,18 +53,18 @@ class FitTest extends AnyFunSuite {
   }
 
   test("a planted budget that the answer just fails needs one bit more, and gets no more than that") {
-    val scene  = cube(32)
-    val first  = fit(scene, FitBudget(2, None, None))
+    val scene = cube(32)
+    val first = fit(scene, FitBudget(2, None, None))
     val errors = first.trained.map(_._2.texelsWrong).max
     // Half of this is a little less than what the worst view has.
     val second = fit(scene, FitBudget(2 * 0.99 * errors, None, None))
-    val bits   = Seq(first, second).map(_.features.config.formats.coordinate)
+    val bits = Seq(first, second).map(_.features.config.formats.coordinate)
     assert(second.met && bits(1) == bits.head - 1, bits)
   }
 
   test("depth and colours: bits are saved where their budgets are given, and one less breaks them") {
     val result = fit(Scenes.teapot(3), FitBudget(1, Some(1), Some(0.025)))
-    val f      = result.features.config.formats
+    val f = result.features.config.formats
     assert(result.features.options.depthTest && f.coordinate == 0 && f.depth > 0 && f.color > 0, f)
     assert(
       result.met && result.oneBitLess.map(_._1) == Seq(
@@ -103,7 +103,7 @@ class FitTest extends AnyFunSuite {
         DrawOptions(None, cullBack = false, Wrap.Repeat, Scenes.cube.background)
       )
     val volume = CameraVolume((0, 0), (0, 0), (0.01, 0.02))
-    val error  = intercept[InputError](new Fit(
+    val error = intercept[InputError](new Fit(
       Scenes.cube,
       features,
       FitBudget(1, None, None),
@@ -118,9 +118,9 @@ class FitTest extends AnyFunSuite {
   test("views stay in their volume and look where the scene's camera does") {
     val volume = CameraVolume((-40, 90), (-100, 100), (0.5, 2))
     val random = new Random(seed)
-    val own    = Scenes.cube.camera
+    val own = Scenes.cube.camera
     for (_ <- 0 until 200) {
-      val v   = volume.near(volume.random(random), 0.5, random)
+      val v = volume.near(volume.random(random), 0.5, random)
       val eye = v.camera(own).eye
       assert(v.turn >= -40 && v.turn <= 90 && v.distance >= 0.5 && v.distance <= 2)
       assert((eye.distance(own.at) / own.eye.distance(own.at) / v.distance - 1).abs < 1e-9)
@@ -134,7 +134,7 @@ class FitTest extends AnyFunSuite {
   }
 
   test("of 40 views none over: at most 7.2 % of all, with 95 % confidence; one over: 11.3 %") {
-    val features          = FitFeatures(Scenes.cube, small, DrawOptions(None, cullBack = false, Wrap.Repeat, 0))
+    val features = FitFeatures(Scenes.cube, small, DrawOptions(None, cullBack = false, Wrap.Repeat, 0))
     def result(over: Int) = FitResult(
       features,
       FitBudget(1, None, None),
@@ -188,11 +188,11 @@ class FitTest extends AnyFunSuite {
 
   for (
     (args, said) <- Seq(
-      Seq("--texels-wrong", "1")                                                       -> "no scene",
-      Seq("--scene", "cube")                                                           -> "texels-wrong",
-      Seq("--scene", "cube", "--texels-wrong", "0")                                    -> "above 0",
-      Seq("--scene", "cube", "--texels-wrong", "1", "--top", "arty-pong")              -> "icebreaker-raster",
-      Seq("--scene", "cube", "--texels-wrong", "1", "--volume", "/no/such.json")       -> "/no/such.json",
+      Seq("--texels-wrong", "1") -> "no scene",
+      Seq("--scene", "cube") -> "texels-wrong",
+      Seq("--scene", "cube", "--texels-wrong", "0") -> "above 0",
+      Seq("--scene", "cube", "--texels-wrong", "1", "--top", "arty-pong") -> "icebreaker-raster",
+      Seq("--scene", "cube", "--texels-wrong", "1", "--volume", "/no/such.json") -> "/no/such.json",
       Seq("--scene", "cube", "--texels-wrong", "1", "--volume", volume("[]").toString) -> "JSON object",
       Seq(
         "--scene",

@@ -9,7 +9,7 @@ import scala.util.Random
 
 /** What interval arithmetic says of a scene holds for every view, and is no more than twice what is seen. */
 class SceneBoundsTest extends AnyFunSuite {
-  private val seed   = 3L
+  private val seed = 3L
   private val config = RasterConfig()
 
   private def bounds(scene: Scene, volume: CameraVolume = CameraVolume.default) = SceneBounds(
@@ -24,9 +24,9 @@ class SceneBoundsTest extends AnyFunSuite {
   private def views(volume: CameraVolume): Seq[View] = {
     val random = new Random(seed)
     Seq.fill(60)(volume.random(random)) ++ (for {
-      turn      <- Seq(volume.turn._1, 0, volume.turn._2)
+      turn <- Seq(volume.turn._1, 0, volume.turn._2)
       elevation <- Seq(volume.elevation._1, volume.elevation._2)
-      distance  <- Seq(volume.distance._1, volume.distance._2)
+      distance <- Seq(volume.distance._1, volume.distance._2)
     } yield View(turn, elevation, distance))
   }
 
@@ -34,19 +34,19 @@ class SceneBoundsTest extends AnyFunSuite {
 
   for (
     (scene, volume) <- Seq(
-      Scenes.cube              -> CameraVolume.default,
-      Scenes.cube              -> far,
-      Scenes.teapot(3)         -> CameraVolume.default,
-      Scenes.teapot(3)         -> far,
-      Scenes.floor             -> CameraVolume.default,
+      Scenes.cube -> CameraVolume.default,
+      Scenes.cube -> far,
+      Scenes.teapot(3) -> CameraVolume.default,
+      Scenes.teapot(3) -> far,
+      Scenes.floor -> CameraVolume.default,
       Scenes.byName("terrain") -> CameraVolume.default
     )
   )
     test(s"${scene.name}, ${volume.distance}: nothing goes beyond") {
-      val b       = bounds(scene, volume)
+      val b = bounds(scene, volume)
       val options = DrawOptions(None, cullBack = false, Wrap.Repeat, scene.background)
-      val frames  = views(volume).map(v => Driver.prepare(scene, v.camera(scene.camera), options, config, 0))
-      val passes  = frames.flatMap(_.passes)
+      val frames = views(volume).map(v => Driver.prepare(scene, v.camera(scene.camera), options, config, 0))
+      val passes = frames.flatMap(_.passes)
       for (v <- passes.flatMap(_.vertices)) assert(v.fault(b.ranges).isEmpty, s"seed $seed: $v, ${b.ranges}")
       val textured = frames.flatMap(_.clipTriangles).filter(_.state.texture.isDefined)
       for (t <- textured) {
@@ -54,7 +54,10 @@ class SceneBoundsTest extends AnyFunSuite {
         assert(w.max <= w.min * (1 << b.ranges.ratio), s"seed $seed: $t, ${b.ranges}")
       }
       if (b.whole) for (p <- passes)
-        assert(p.vertices.length <= b.vertices && p.triangles.length <= b.triangles, s"seed $seed: ${p.vertices.length}")
+        assert(
+          p.vertices.length <= b.vertices && p.triangles.length <= b.triangles,
+          s"seed $seed: ${p.vertices.length}"
+        )
     }
 
   test("the cube needs half of the screen's range, one repeat, a ratio of 2, a store of 24 vertices and 12 triangles") {

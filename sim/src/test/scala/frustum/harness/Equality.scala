@@ -47,11 +47,11 @@ final case class Equality[C <: Component, A <: Data, B <: Data, I, O](compiled: 
   ): Unit = stalls.foreach { s =>
     val where = s"seed $seed, $s"
     compiled.doSim(s"seed${seed}_v${s.valid}_r${s.ready}", seed) { dut =>
-      val clock    = dut.clockDomain
-      val got      = ArrayBuffer.empty[O]
-      var sent     = 0
-      var cycle    = 0L
-      var firstIn  = -1L
+      val clock = dut.clockDomain
+      val got = ArrayBuffer.empty[O]
+      var sent = 0
+      var cycle = 0L
+      var firstIn = -1L
       var lastMove = 0L
 
       val source = StreamDriver(up(dut), clock) { payload =>

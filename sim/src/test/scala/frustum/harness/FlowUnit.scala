@@ -15,8 +15,8 @@ object FlowUnit {
       underWay: Int
   )(unit: Stream[A] => Flow[B]): Unit = {
     val fifo = StreamFifo(down.payloadType(), 4 * underWay)
-    val out  = unit(up.haltWhen(fifo.io.availability <= underWay))
-    fifo.io.push.valid   := out.valid
+    val out = unit(up.haltWhen(fifo.io.availability <= underWay))
+    fifo.io.push.valid := out.valid
     fifo.io.push.payload := out.payload
     down << fifo.io.pop
   }

@@ -19,7 +19,7 @@ object Prover extends Assertions {
     def python = {
       def own(name: String) = Yowasp.tool(name, "", _ => ())
       Yowasp.tool("yosys", "--version", _ => ()) // its first call compiles it, which may take longer than a proof may
-      val tool  = own("sby")
+      val tool = own("sby")
       val parts = Map("YOSYS" -> "yosys", "SMTBMC" -> "yosys-smtbmc", "WITNESS" -> "yosys-witness")
       tool.copy(environment = tool.environment ++ parts.map { case (key, name) =>
         key -> own(name).command.head
@@ -35,13 +35,13 @@ object Prover extends Assertions {
     * first `depth` clocks after reset.
     */
   def prove(name: String, depth: Int)(top: => Component): Unit = {
-    val tool   = sby.fold(notice => cancel(s"nothing is proved: $notice"), identity)
-    val at     = Files.createDirectories(folder.resolve(name)).toAbsolutePath
+    val tool = sby.fold(notice => cancel(s"nothing is proved: $notice"), identity)
+    val at = Files.createDirectories(folder.resolve(name)).toAbsolutePath
     val report = SpinalConfig(
       targetDirectory = at.toString,
       defaultConfigForClockDomains = ClockDomainConfig(resetKind = SYNC)
     ).includeFormal.generateSystemVerilog(top)
-    val file   = s"${report.toplevelName}.sv"
+    val file = s"${report.toplevelName}.sv"
     val tables = at.toFile.list.filter(name => name.startsWith(file) && name.endsWith(".bin"))
     Files.writeString(
       at.resolve("task.sby"),
@@ -65,8 +65,8 @@ object Prover extends Assertions {
 
   /** The assertions that fail, with their places in the sources; otherwise what SymbiYosys says at its end. */
   private def faults(log: Path, source: Path): String = {
-    val lines  = Files.readAllLines(log).asScala.toSeq
-    val code   = Files.readAllLines(source).asScala
+    val lines = Files.readAllLines(log).asScala.toSeq
+    val code = Files.readAllLines(source).asScala
     val failed = lines.filter(l => l.contains("ssert failed in")).flatMap { l =>
       """\.sv:(\d+)\.""".r.findFirstMatchIn(l).map { m =>
         val way = if (l.contains("induction")) "no induction" else "fails"

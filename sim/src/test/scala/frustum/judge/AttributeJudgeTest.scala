@@ -28,7 +28,7 @@ class AttributeJudgeTest extends AnyFunSuite {
 
   test("affine mapping is found") {
     // The same triangles with w = 1 everywhere are what an affine interpolator computes.
-    val affine  = log(floor.copy(vertices = floor.vertices.map(_.copy(qMantissa = 32768, qExponent = 16))))
+    val affine = log(floor.copy(vertices = floor.vertices.map(_.copy(qMantissa = 32768, qExponent = 16))))
     val verdict = AttributeJudge.judge(floor, affine)
     assert(
       verdict.wrong > verdict.judged / 2 && verdict.wrongByMoreThanOne > verdict.judged / 3 &&

@@ -5,8 +5,8 @@ import frustum.judge.Passes._
 import org.scalatest.funsuite.AnyFunSuite
 
 class CoverageJudgeTest extends AnyFunSuite {
-  private val scene                              = Passes.random(11, 150)
-  private val truth                              = log(scene)
+  private val scene = Passes.random(11, 150)
+  private val truth = log(scene)
   private def judge(f: Iterable[LoggedFragment]) = CoverageJudge.judge(scene, f, config)
 
   test("what the reference covers is right") {
@@ -24,7 +24,7 @@ class CoverageJudgeTest extends AnyFunSuite {
 
   test("edges that are all inclusive hit the shared ones twice") {
     val square = pass(Seq(textured), quad(8.5, 8.5, 16.5, 16.5): _*)
-    val all    = for (t <- 0 to 1; y <- 8 to 16; x <- 8 to 16; d = (x - y) * (1 - 2 * t) if d >= 0)
+    val all = for (t <- 0 to 1; y <- 8 to 16; x <- 8 to 16; d = (x - y) * (1 - 2 * t) if d >= 0)
       yield LoggedFragment(t, x, y, 0, 0, 0)
     val verdict = CoverageJudge.judge(square, all, config)
     // The exact set is 8 x 8; inclusive edges add the right column, the bottom row and one diagonal.
@@ -32,7 +32,7 @@ class CoverageJudgeTest extends AnyFunSuite {
   }
 
   test("pixels outside the pass's region are extra") {
-    val part    = scene.copy(region = TileRegion(0, 0, 0, config.tilesY - 1))
+    val part = scene.copy(region = TileRegion(0, 0, 0, config.tilesY - 1))
     val outside = truth.count(_.x >= config.tileWidth)
     assert(CoverageJudge.judge(part, truth, config) == CoverageVerdict(truth.length - outside, 0, outside, 0))
   }

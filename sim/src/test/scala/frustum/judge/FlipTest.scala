@@ -6,9 +6,9 @@ import org.scalatest.funsuite.AnyFunSuite
   * degree.
   */
 class FlipTest extends AnyFunSuite {
-  private val (width, height)               = (48, 40)
+  private val (width, height) = (48, 40)
   private def picture(f: (Int, Int) => Int) = Array.tabulate(width * height)(i => f(i % width, i / width))
-  private def flat(color: Int)              = picture((_, _) => color)
+  private def flat(color: Int) = picture((_, _) => color)
 
   private val pattern = picture((x, y) => (x * 5) << 16 | (y * 6) << 8 | (x * y) % 256)
   private val patched = picture((x, y) =>

@@ -1,6 +1,17 @@
 package frustum.judge
 
-import frustum.contract.raster.{Combine, FramePass, PackedTriangle, PackedVertex, RasterConfig, RenderState, TexelFormat, TextureRef, TextureUpload, TileRegion}
+import frustum.contract.raster.{
+  Combine,
+  FramePass,
+  PackedTriangle,
+  PackedVertex,
+  RasterConfig,
+  RenderState,
+  TexelFormat,
+  TextureRef,
+  TextureUpload,
+  TileRegion
+}
 import frustum.driver.raster.PreparedFrame
 import frustum.engine.raster.ReferenceRenderer
 import scala.util.Random
@@ -10,9 +21,9 @@ object Passes {
   val config: RasterConfig = RasterConfig(width = 64, height = 48)
 
   /** A checked texture of 16 x 16 at base 0: every texel differs from its neighbours. */
-  val texture: TextureRef   = TextureRef(0, 4, 4, TexelFormat.Rgb565)
+  val texture: TextureRef = TextureRef(0, 4, 4, TexelFormat.Rgb565)
   val upload: TextureUpload = TextureUpload(0, IndexedSeq.tabulate(256)(i => (i * 40503 + 977) & 0xffff))
-  val memory: Array[Int]    = upload.texels.toArray.padTo(32768, 0)
+  val memory: Array[Int] = upload.texels.toArray.padTo(32768, 0)
   val textured: RenderState = RenderState(Some(texture), combine = Combine.Replace)
 
   /** Position in pixels; 1/w is a power of two so that it is exact. */
@@ -65,7 +76,7 @@ object Passes {
   )
       : Seq[(Int, Seq[PackedVertex])] = {
     def v(x: Double, y: Double, s: Double, t: Double) = vertex(x, y, z, 1, s, t, rgba)
-    val (a, b, c, d)                                  = (v(x0, y0, 0, 1), v(x1, y0, 1, 1), v(x1, y1, 1, 0), v(x0, y1, 0, 0))
+    val (a, b, c, d) = (v(x0, y0, 0, 1), v(x1, y0, 1, 1), v(x1, y1, 1, 0), v(x0, y1, 0, 0))
     Seq((state, Seq(a, b, c)), (state, Seq(a, c, d)))
   }
 

@@ -10,8 +10,8 @@ class PongJudgeTest extends AnyFunSuite {
   private val mode =
     VideoMode("256x96", 25.175, 256, 96, 16, 96, 400, 10, 2, 33, hPositive = true, vPositive = false)
   private val config = PongPipelineConfig(mode, scene = PongScene.room(256, 96, 3))
-  private val model  = new PongModel(config)
-  private val moved  = PongGame.start.tick(PongButtons(up = true))
+  private val model = new PongModel(config)
+  private val moved = PongGame.start.tick(PongButtons(up = true))
 
   private def judge(frames: PongFrame*): PongFigures = {
     val judge = new PongJudge(config)

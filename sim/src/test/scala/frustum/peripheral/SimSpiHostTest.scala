@@ -18,30 +18,30 @@ import scala.util.Random
 /** The simulated host at the link's pins. */
 case class SimSpiHostTop(config: RasterConfig, halfPeriod: Int) extends Component {
   val io = new Bundle {
-    val rival   = slave(StoreBus(StoreLayout(config)))
-    val texels  = master(Stream(TexelWrite()))
-    val job     = master(Stream(FrameJob(config)))
+    val rival = slave(StoreBus(StoreLayout(config)))
+    val texels = master(Stream(TexelWrite()))
+    val job = master(Stream(FrameJob(config)))
     val jobDone = in Bool ()
-    val bytes   = in UInt (15 bits)
-    val sent    = out UInt (15 bits)
-    val status  = out(LinkStatus())
+    val bytes = in UInt (15 bits)
+    val sent = out UInt (15 bits)
+    val status = out(LinkStatus())
   }
-  val host  = SimSpiHost(bytesLog2 = 14, halfPeriod)
-  val spi   = SpiSlave()
-  val link  = CommandLink(config)
+  val host = SimSpiHost(bytesLog2 = 14, halfPeriod)
+  val spi = SpiSlave()
+  val link = CommandLink(config)
   val store = Store(StoreLayout(config), 2, Tech.Generic)
   store.io.clients(0) <> io.rival
   store.io.clients(1) <> link.io.store
   spi.io.pins <> host.io.pins
   spi.io.status := link.io.status
   spi.io.bytes >> link.io.bytes
-  host.io.cts   := link.io.status.cts
+  host.io.cts := link.io.status.cts
   host.io.bytes := io.bytes
-  io.sent       := host.io.sent
+  io.sent := host.io.sent
   link.io.texels >> io.texels
   link.io.job >> io.job
   link.io.jobDone := io.jobDone
-  io.status       := link.io.status
+  io.status := link.io.status
 }
 
 class SimSpiHostTest extends AnyFunSuite {
@@ -50,7 +50,7 @@ class SimSpiHostTest extends AnyFunSuite {
   for (half <- Seq(1, 3)) test(s"what it sends arrives, half period $half clocks") {
     val seed = 10 + half
     FrustumSim.compile(s"SimSpiHost_$half")(SimSpiHostTop(config, half)).doSim(s"seed$seed", seed) { dut =>
-      val t     = new LinkTraffic(config, new Random(seed))
+      val t = new LinkTraffic(config, new Random(seed))
       val bytes = t.fill() ++ (1 to 8).flatMap(n => t.bytes(t.frame(n), errors = true))
       val model = new LinkModel(config)
       model.feed(bytes)

@@ -20,7 +20,7 @@ class SimVideoMonitorTest extends AnyFunSuite {
     for (f <- 0 until frames; line <- 0 until vTotal; column <- 0 until hTotal) yield {
       val (x, y) = (column - left, line - mode.vSync - mode.vBack)
       val active = x >= 0 && x < mode.width && y >= 0 && y < mode.height
-      val since  = line * hTotal + column - phase
+      val since = line * hTotal + column - phase
       Clock(
         column < mode.hSync,
         since >= 0 && since < mode.vSync * hTotal,
@@ -81,7 +81,7 @@ class SimVideoMonitorTest extends AnyFunSuite {
     val s = changed(line, 0 until 1)(_.copy(h = false))
     assert(Set("hTotal", "hSync", "hFront").subsetOf(wrong(run(s)())))
     val moved = (vTotal + line) * hTotal + mode.hSync
-    val w     = run(s.updated(moved, s(moved).copy(h = true)))()
+    val w = run(s.updated(moved, s(moved).copy(h = true)))()
     assert(Set("hTotal", "hBack", "hFront", "misplaced").subsetOf(wrong(w)))
     assert(w("hTotal").wrong == 2 && w("hTotal").lastWrong == hTotal - 1)
   }

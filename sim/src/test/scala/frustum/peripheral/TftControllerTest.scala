@@ -19,7 +19,7 @@ class TftControllerTest extends AnyFunSuite {
 
   for (panel <- Panel.all) {
     test(s"${panel.name}: a proper start is no violation, windows wrap") {
-      val tft    = started(panel)
+      val tft = started(panel)
       val pixels = Seq.tabulate(32 * 16 + 1)(i => SpiDisplay.Pixel(i * 100 & 0xffff, i == 0, 2, 3))
       SpiDisplay.tiles(config, pixels).foreach { case (data, value) => tft.byte(data, value, 300) }
       val picture = tft.picture(240, 320)
@@ -35,7 +35,11 @@ class TftControllerTest extends AnyFunSuite {
         tft.violations.toSeq
       }
       assert(after((false, 0x77)).head.contains("unknown command 0x77"))
-      assert(after((false, Panel.ColumnAddress), (true, 0), (false, Panel.MemoryWrite)).head.contains("with 1 bytes, not 4"))
+      assert(after(
+        (false, Panel.ColumnAddress),
+        (true, 0),
+        (false, Panel.MemoryWrite)
+      ).head.contains("with 1 bytes, not 4"))
       assert(after((false, Panel.MemoryWrite), (true, 1), (false, Panel.MemoryWrite)).head.contains("half a pixel"))
       assert(after((false, Panel.RowAddress), (true, 0), (true, 9), (true, 0), (true, 5)).head.contains("rows 9 to 5"))
       assert(after((false, Panel.SleepOut), (false, Panel.DisplayOn)).head.contains("too soon"))

@@ -9,9 +9,9 @@ import javax.imageio.metadata.IIOMetadataNode
 class AnimatedGifTest extends AnyFunSuite {
   test("pictures, times and repetition come back") {
     val (width, height) = (24, 16)
-    val colors          = Seq(0x000000, 0xff0000, 0x00ff40, 0x2040ff, 0xffff00, 0x888888)
-    val pictures        = Seq.tabulate(3)(f => Array.tabulate(width * height)(i => colors((i + f) % colors.size)))
-    val file            = Files.createTempDirectory("gif").resolve("a.gif")
+    val colors = Seq(0x000000, 0xff0000, 0x00ff40, 0x2040ff, 0xffff00, 0x888888)
+    val pictures = Seq.tabulate(3)(f => Array.tabulate(width * height)(i => colors((i + f) % colors.size)))
+    val file = Files.createTempDirectory("gif").resolve("a.gif")
     AnimatedGif.write(file, width, height)(gif =>
       pictures.zip(Seq(3, 4, 100)).foreach { case (p, t) => gif.add(p, t) }
     )
@@ -21,8 +21,8 @@ class AnimatedGifTest extends AnyFunSuite {
     for (i <- 0 to 2) {
       val image = reader.read(i)
       assert(image.getRGB(0, 0, width, height, null, 0, width).map(_ & 0xffffff).toSeq == pictures(i).toSeq)
-      val data               = reader.getImageMetadata(i)
-      val root               = data.getAsTree(data.getNativeMetadataFormatName).asInstanceOf[IIOMetadataNode]
+      val data = reader.getImageMetadata(i)
+      val root = data.getAsTree(data.getNativeMetadataFormatName).asInstanceOf[IIOMetadataNode]
       def node(name: String) = root.getElementsByTagName(name).item(0).asInstanceOf[IIOMetadataNode]
       assert(node("GraphicControlExtension").getAttribute("delayTime") == Seq("3", "4", "100")(i))
       assert(node("ApplicationExtension").getUserObject.asInstanceOf[Array[Byte]].toSeq == Seq[Byte](1, 0, 0))

@@ -18,7 +18,7 @@ class PictureTest extends AnyFunSuite {
 
   test("a PNG reads back as it was and leaves nothing else behind") {
     val folder = Files.createTempDirectory("picture")
-    val image  = Array.tabulate(12)(i => i * 0x010305)
+    val image = Array.tabulate(12)(i => i * 0x010305)
     Picture.writePng(folder.resolve("deep/a.png"), 4, 3, image)
     val read = ImageIO.read(folder.resolve("deep/a.png").toFile)
     assert((0 until 12).forall(i => (read.getRGB(i % 4, i / 4) & 0xffffff) == image(i)))

@@ -7,7 +7,7 @@ import org.scalatest.funsuite.AnyFunSuite
 import java.nio.file.Files
 
 class ButtonFileTest extends AnyFunSuite {
-  private val file                  = Files.createTempFile("buttons", ".txt")
+  private val file = Files.createTempFile("buttons", ".txt")
   private def read(content: String) = { Files.writeString(file, content); ButtonFile.read(file) }
 
   test("a line a tick") {

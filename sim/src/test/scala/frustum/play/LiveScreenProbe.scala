@@ -6,10 +6,10 @@ import java.awt.{Rectangle, Robot}
 /** Shows a picture, presses keys, looks at the screen, closes the window; prints what it saw. */
 object LiveScreenProbe {
   def main(args: Array[String]): Unit = {
-    val (width, height)                  = (64, 48)
-    val screen                           = LiveScreen("probe", width, height, scale = 2)
-    val robot                            = new Robot
-    val picture                          = Array.tabulate(width * height)(i => if (i % width < width / 2) 0xc02040 else 0x1080f0)
+    val (width, height) = (64, 48)
+    val screen = LiveScreen("probe", width, height, scale = 2)
+    val robot = new Robot
+    val picture = Array.tabulate(width * height)(i => if (i % width < width / 2) 0xc02040 else 0x1080f0)
     def until(done: => Boolean): Boolean = (1 to 100).exists { _ =>
       screen.show(picture, "state")
       Thread.sleep(50)
@@ -24,7 +24,7 @@ object LiveScreenProbe {
       s.count(_ == 0xc02040) == width * height * 2 && s.count(_ == 0x1080f0) == width * height * 2
     })
     // Without a window manager nothing gives the window the keyboard but the mouse.
-    val s  = seen
+    val s = seen
     val at = s.indexOf(0xc02040)
     robot.mouseMove(at % 1024 + 10, at / 1024 + 10)
     robot.keyPress(KeyEvent.VK_UP)

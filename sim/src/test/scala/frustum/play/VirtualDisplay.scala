@@ -11,7 +11,7 @@ object VirtualDisplay {
 
   /** What the class prints; it must end by itself, well, and within `seconds`. */
   def run(mainClass: String, seconds: Int, args: String*): String = {
-    val log    = Files.createTempFile("xvfb", ".log")
+    val log = Files.createTempFile("xvfb", ".log")
     val server =
       new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1024x768x24", "-nolisten", "tcp")
         .redirectError(log.toFile).start()
@@ -27,7 +27,7 @@ object VirtualDisplay {
 
   private def java(mainClass: String, display: String, seconds: Int, args: Seq[String]): String = {
     val out: Path = Files.createTempFile("display", ".txt")
-    val command   = Seq(
+    val command = Seq(
       Paths.get(System.getProperty("java.home"), "bin", "java").toString,
       "-cp",
       System.getProperty("java.class.path"),
@@ -38,7 +38,7 @@ object VirtualDisplay {
     val process = builder.start()
     try {
       val ended = process.waitFor(seconds.toLong, TimeUnit.SECONDS)
-      val said  = Files.readString(out)
+      val said = Files.readString(out)
       assert(ended, s"$mainClass did not end within $seconds s; it printed: $said")
       assert(process.exitValue == 0, s"$mainClass ended with ${process.exitValue}: $said")
       said

@@ -1,7 +1,17 @@
 package frustum.raster
 
 import frustum.contract.InputError
-import frustum.contract.raster.{Combine, FixedState, PlaneFormats, RasterConfig, RenderState, SetupWords, TexelFormat, TextureRef, Wrap}
+import frustum.contract.raster.{
+  Combine,
+  FixedState,
+  PlaneFormats,
+  RasterConfig,
+  RenderState,
+  SetupWords,
+  TexelFormat,
+  TextureRef,
+  Wrap
+}
 import frustum.driver.raster.{DrawOptions, Driver}
 import frustum.driver.scene.{Camera, Material, Scene}
 import frustum.engine.raster.{EngineOptions, Engines, PipelineEngine}
@@ -15,7 +25,7 @@ import org.scalatest.funsuite.AnyFunSuite
   * is refused.
   */
 class FittedPipelineTest extends AnyFunSuite {
-  private val seed  = 1
+  private val seed = 1
   private val small = RasterConfig(width = 96, height = 80)
 
   private def options(scene: Scene, depthTest: Boolean = true) =
@@ -50,7 +60,7 @@ class FittedPipelineTest extends AnyFunSuite {
       ("corridor", true, PlaneFormats(coordinate = 5, depth = 4, color = 2), "stqzrgba")
     )
   } test(s"$name${if (depthTest) "" else " without depth test"}, $formats: hardware equals model") {
-    val scene  = Scenes.byName(name)
+    val scene = Scenes.byName(name)
     val config = small.copy(fixed = fixedFor(scene, depthTest), formats = formats)
     assert(config.fixed.planes.map("stqzrgba".charAt(_)).mkString == planes)
     val model = images("model", scene, config, depthTest)
@@ -61,35 +71,35 @@ class FittedPipelineTest extends AnyFunSuite {
 
   for (
     (name, formats) <- Seq(
-      "cube"    -> PlaneFormats(4, inverse = 5),
-      "cube"    -> PlaneFormats(),
+      "cube" -> PlaneFormats(4, inverse = 5),
+      "cube" -> PlaneFormats(),
       "terrain" -> PlaneFormats(2),
-      "floor"   -> PlaneFormats()
+      "floor" -> PlaneFormats()
     )
   )
     test(s"all that inspection of $name finds, $formats: hardware equals model") {
-      val scene    = Scenes.byName(name)
+      val scene = Scenes.byName(name)
       val features = FitFeatures(scene, small, options(scene))
-      val config   = features.config.copy(formats = formats)
-      val depth    = features.options.depthTest
+      val config = features.config.copy(formats = formats)
+      val depth = features.options.depthTest
       assert(name != "cube" || LateDivide.suits(config) && config.fixed.whole && config.maxVertices == 32, config)
       assert(config.clearColor.nonEmpty)
       val model = images("model", scene, config, depth)
       assert(images("pipeline", scene, config, depth) == model, s"seed $seed")
       if (formats == PlaneFormats()) {
-        val full      = images("model", scene, small, depth)
+        val full = images("model", scene, small, depth)
         val different = model.zip(full).map { case (a, b) => a.indices.count(i => a(i) != b(i)) }.sum
         assert(different <= 0.001 * model.map(_.length).sum, s"$different pixels are not as the full pipeline has them")
       }
     }
 
   test("the driver refuses vertices, depths and backgrounds that hardware was made without") {
-    val cube                              = Scenes.cube
-    val fitted                            = FitFeatures(cube, small, options(cube)).config
+    val cube = Scenes.cube
+    val fitted = FitFeatures(cube, small, options(cube)).config
     def refused(s: Scene, camera: Camera) =
       intercept[InputError](Driver.prepare(s, camera, options(s, depthTest = false), fitted, 0)).message
     assert(refused(cube.copy(background = 0xffffff), cube.camera).contains("background"))
-    val eye  = new Vector3d(cube.camera.eye)
+    val eye = new Vector3d(cube.camera.eye)
     val near = cube.camera.copy(eye = eye.mul(0.4), near = 0.1)
     assert(refused(cube, near).contains("depths of"))
     val repeated = cube.copy(triangles =
@@ -101,13 +111,13 @@ class FittedPipelineTest extends AnyFunSuite {
   }
 
   test("bits that planes go without change the picture") {
-    val scene  = Scenes.byName("cube")
+    val scene = Scenes.byName("cube")
     val coarse = small.copy(formats = PlaneFormats(coordinate = 14))
     assert(images("model", scene, coarse) != images("model", scene, small))
   }
 
   test("fewer planes: set-up is shorter") {
-    val scene                   = Scenes.byName("cube")
+    val scene = Scenes.byName("cube")
     def clocks(c: RasterConfig) =
       new PipelineEngine(EngineOptions(
         seed,
@@ -119,8 +129,8 @@ class FittedPipelineTest extends AnyFunSuite {
   }
 
   test("the driver refuses what the hardware was made without, and says what") {
-    val cube    = Scenes.byName("cube")
-    val fitted  = small.copy(fixed = fixedFor(cube, depthTest = true))
+    val cube = Scenes.byName("cube")
+    val fitted = small.copy(fixed = fixedFor(cube, depthTest = true))
     val blended = cube.copy(materials = cube.materials.map(m => m.copy(blend = true)))
     assert(intercept[InputError](prepare(blended, fitted)).message.contains("blending"))
     val plain = cube.copy(materials = IndexedSeq(Material.White))

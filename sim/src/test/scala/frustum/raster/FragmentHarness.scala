@@ -14,17 +14,17 @@ import spinal.lib._
   */
 class FragmentHarness(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
-    val up     = slave(Stream(InterpolatedFragment(config)))
-    val state  = in(RenderStateWord())
-    val start  = slave(Stream(FrameStart()))
-    val tile   = slave(Stream(TilePosition()))
+    val up = slave(Stream(InterpolatedFragment(config)))
+    val state = in(RenderStateWord())
+    val start = slave(Stream(FrameStart()))
+    val tile = slave(Stream(TilePosition()))
     val texels = slave(Stream(TexelWrite()))
     val pixels = master(Stream(ResolvedPixel(config)))
-    val busy   = out Bool ()
+    val busy = out Bool ()
   }
   val pipeline = FragmentPipeline(config, tech)
-  val started  = RegInit(False) setWhen pipeline.io.start.fire
-  val tiles    = Counter(config.tilesX * config.tilesY, inc = pipeline.io.up.fire && pipeline.io.up.tileEnd)
+  val started = RegInit(False) setWhen pipeline.io.start.fire
+  val tiles = Counter(config.tilesX * config.tilesY, inc = pipeline.io.up.fire && pipeline.io.up.tileEnd)
   when(tiles.willOverflow) { started := False }
   pipeline.io.start << io.start.haltWhen(started)
   pipeline.io.up << io.up.haltWhen(!started)

@@ -61,9 +61,9 @@ class FragmentPipelineTest extends AnyFunSuite {
       texels: Array[Int]
   ): Seq[Pixel] = {
     val model = new FragmentModel(config, texels)
-    val out   = mutable.ArrayBuffer.empty[Pixel]
+    val out = mutable.ArrayBuffer.empty[Pixel]
     val image = new Array[Int](config.width * config.height)
-    var tile  = 0
+    var tile = 0
     var count = 0
     model.clear(clears.head)
     for (item <- items)
@@ -73,7 +73,7 @@ class FragmentPipelineTest extends AnyFunSuite {
         model.resolve(x, y, image)
         val (left, top) = (x * config.tileWidth, y * config.tileHeight)
         for (
-          row    <- top until config.height.min(top + config.tileHeight);
+          row <- top until config.height.min(top + config.tileHeight);
           column <- left until config.width.min(left + config.tileWidth)
         )
           out += Pixel(image(row * config.width + column), row == top && column == left, x, y)
@@ -116,10 +116,10 @@ class FragmentPipelineTest extends AnyFunSuite {
     }
   }
 
-  val small              = RasterConfig(19, 21, 3, 3, textureTexels = 256)
+  val small = RasterConfig(19, 21, 3, 3, textureTexels = 256)
   lazy val compiledSmall = FrustumSim.compile("FragmentPipeline_small")(new FragmentHarness(small))
-  val odd                = RasterConfig(65, 33, 5, 4, textureTexels = 1024)
-  lazy val compiledOdd   = FrustumSim.compile("FragmentPipeline_odd")(new FragmentHarness(odd))
+  val odd = RasterConfig(65, 33, 5, 4, textureTexels = 1024)
+  lazy val compiledOdd = FrustumSim.compile("FragmentPipeline_odd")(new FragmentHarness(odd))
 
   def check(
       config: RasterConfig,
@@ -160,7 +160,7 @@ class FragmentPipelineTest extends AnyFunSuite {
   }
   for (blend <- Seq(false, true)) test(s"hazard hammer, blend = $blend") {
     val random = new Random(9)
-    val state  = RenderState(depth = DepthFunction.LessEq, blend = blend)
+    val state = RenderState(depth = DepthFunction.LessEq, blend = blend)
     check(small, 9, state, frame(small, 300, hammer(small, random)))
   }
   test("empty tiles show the clear colour, tile after tile") {
@@ -168,7 +168,7 @@ class FragmentPipelineTest extends AnyFunSuite {
   }
   test("frames follow each other, with the same clear colour and with others") {
     val random = new Random(12)
-    val items  = Seq.fill(4)(frame(small, 60, anywhere(small, random))).flatten
+    val items = Seq.fill(4)(frame(small, 60, anywhere(small, random))).flatten
     check(small, 12, RenderState(blend = true), items)
     check(small, 13, RenderState(blend = true), items, colors = 3)
   }
@@ -192,8 +192,8 @@ class FragmentPipelineTest extends AnyFunSuite {
     )
   }
   test("a full tile is drawn while the one before is resolved: 0.9 fragments a clock and more") {
-    val perTile                             = odd.tileWidth * odd.tileHeight
-    var i                                   = 0
+    val perTile = odd.tileWidth * odd.tileHeight
+    var i = 0
     def everywhere(f: FragmentValues): Unit = {
       f.x = i % odd.tileWidth; f.y = i / odd.tileWidth % odd.tileHeight; f.q = 1 << 30
       i += 1

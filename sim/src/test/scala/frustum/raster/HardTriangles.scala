@@ -13,7 +13,7 @@ final class HardTriangles(config: RasterConfig, r: Random) {
     (p._1 + r.between(-reach, reach + 1), p._2 + r.between(-reach, reach + 1))
   private def onScreen: Point = (r.nextInt(width), r.nextInt(height))
   private def anywhere: Point = near((0, 0), PackedVertex.MaxXy)
-  private def size: Int       = 1 << r.between(4, 12)
+  private def size: Int = 1 << r.between(4, 12)
 
   /** By name, so that a failure says what kind it was. */
   val kinds: IndexedSeq[(String, () => Seq[Point])] = IndexedSeq(
@@ -25,19 +25,19 @@ final class HardTriangles(config: RasterConfig, r: Random) {
     },
     "sliver" -> { () =>
       val (a, b) = (onScreen, near(onScreen, size))
-      val k      = r.nextDouble()
+      val k = r.nextDouble()
       Seq(a, b, near(((a._1 + k * (b._1 - a._1)).toInt, (a._2 + k * (b._2 - a._2)).toInt), 4))
     },
     "needle" -> { () =>
       val p = onScreen; Seq(p, near(p, 1), near(p, size))
     },
-    "huge"        -> { () => Seq(anywhere, anywhere, if (r.nextBoolean()) anywhere else onScreen) },
+    "huge" -> { () => Seq(anywhere, anywhere, if (r.nextBoolean()) anywhere else onScreen) },
     "huge needle" -> { () =>
       val p = anywhere; Seq(p, near((-p._1, -p._2), 3), near((-p._1, -p._2), 3))
     },
     "at the screen's border" -> { () =>
       def border(end: Int) = (if (r.nextBoolean()) 0 else end) + r.between(-40, 41)
-      val p                = if (r.nextBoolean()) (border(width), r.nextInt(height)) else (r.nextInt(width), border(height))
+      val p = if (r.nextBoolean()) (border(width), r.nextInt(height)) else (r.nextInt(width), border(height))
       Seq(p, near(p, 200), near(p, 200))
     },
     "off the screen" -> { () =>
@@ -67,7 +67,7 @@ final class HardTriangles(config: RasterConfig, r: Random) {
   )
 
   private def clip(v: Int) = v.max(-PackedVertex.MaxXy).min(PackedVertex.MaxXy)
-  private def channel()    = if (r.nextInt(4) == 0) 255 * r.nextInt(2) else r.nextInt(256)
+  private def channel() = if (r.nextInt(4) == 0) 255 * r.nextInt(2) else r.nextInt(256)
   private def coordinate() = r.between(-PackedVertex.MaxSt, PackedVertex.MaxSt + 1) >> r.nextInt(12)
 
   /** A vertex there, its attributes drawn by lot. */
@@ -98,9 +98,9 @@ final class HardTriangles(config: RasterConfig, r: Random) {
   def mesh(outline: Seq[Seq[Point]], count: Int): IndexedSeq[Seq[Point]] = {
     val parts = scala.collection.mutable.ArrayBuffer.from(outline)
     while (parts.size < count) {
-      val at           = r.nextInt(parts.size)
+      val at = r.nextInt(parts.size)
       val Seq(a, b, c) = parts(at)
-      val (i, j)       = {
+      val (i, j) = {
         val (i, j) = (r.nextDouble(), r.nextDouble()); if (i + j > 1) (1 - i, 1 - j) else (i, j)
       }
       val inside = (

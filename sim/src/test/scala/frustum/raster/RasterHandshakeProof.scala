@@ -57,7 +57,7 @@ class SetupFetchClaims(config: RasterConfig) extends Component {
   Claims.store(unit.io.store)
   // For induction: requests are made in three states alone, and none while an answer comes.
   val asking = unit.asking.pull() || past(unit.ask.pull()) && pastValid
-  val asks   = Seq(unit.State.Vertices, unit.State.Exponents, unit.State.Read).map(unit.state.pull() === _).orR
+  val asks = Seq(unit.State.Vertices, unit.State.Exponents, unit.State.Read).map(unit.state.pull() === _).orR
   assert(!asking || asks)
   assert(!asking || !unit.io.store.rsp.valid)
 }

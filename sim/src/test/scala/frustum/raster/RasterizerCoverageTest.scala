@@ -18,7 +18,10 @@ class RasterizerCoverageTest extends AnyFunSuite {
   /** The pixels each triangle of a pass covers, by the model. */
   private def drawn(config: RasterConfig, pass: FramePass): ArrayBuffer[LoggedFragment] = {
     val log = ArrayBuffer.empty[LoggedFragment]
-    Rasterizer(config).draw(pass, new ScreenFragments(config)(f => log += LoggedFragment(f.triangle, f.x, f.y, 0, 0, 0)))
+    Rasterizer(config).draw(
+      pass,
+      new ScreenFragments(config)(f => log += LoggedFragment(f.triangle, f.x, f.y, 0, 0, 0))
+    )
     log
   }
 
@@ -27,10 +30,10 @@ class RasterizerCoverageTest extends AnyFunSuite {
 
   test("10,000 hard triangles: no pixel wrong") {
     val config = RasterConfig(width = 128, height = 96)
-    val hard   = new HardTriangles(config, new Random(seed))
-    val batch  = 10 * hard.kinds.size
+    val hard = new HardTriangles(config, new Random(seed))
+    val batch = 10 * hard.kinds.size
     val passes = Iterator.fill((10000 + batch - 1) / batch)(hard.pass(batch))
-    val total  = passes.zipWithIndex.foldLeft(CoverageJudge.Clean) { case (sum, (pass, n)) =>
+    val total = passes.zipWithIndex.foldLeft(CoverageJudge.Clean) { case (sum, (pass, n)) =>
       val verdict = CoverageJudge.judge(pass, drawn(config, pass), config)
       if (verdict.wrong != 0) {
         val one = pass.triangles.indices.find { i =>
@@ -52,17 +55,17 @@ class RasterizerCoverageTest extends AnyFunSuite {
     test(
       s"meshes cover each pixel once, ${config.width} x ${config.height}, tiles of ${config.tileWidth} x ${config.tileHeight}"
     ) {
-      val hard    = new HardTriangles(config, new Random(seed))
-      val (w, h)  = (16 * config.width + 152, 16 * config.height + 152)
+      val hard = new HardTriangles(config, new Random(seed))
+      val (w, h) = (16 * config.width + 152, 16 * config.height + 152)
       val corners = Seq((-168, -168), (w, -168), (w, h), (-168, h)) // pixel centres
-      val screen  = Seq(Seq(corners(0), corners(1), corners(2)), Seq(corners(0), corners(2), corners(3)))
-      val island  = Seq(Seq(
+      val screen = Seq(Seq(corners(0), corners(1), corners(2)), Seq(corners(0), corners(2), corners(3)))
+      val island = Seq(Seq(
         (16 * config.width - 23, 37),
         (16 * config.width - 75, 16 * config.height - 99),
         (11, 16 * config.height / 2 + 8)
       ))
       for ((outline, count) <- Seq(screen -> 40, screen -> 400, island -> 200)) {
-        val pass     = hard.meshPass(hard.mesh(outline, count).map(_.map(hard.vertex)))
+        val pass = hard.meshPass(hard.mesh(outline, count).map(_.map(hard.vertex)))
         val expected = ExactCoverage.additiveCount(
           ExactCoverage.of(hard.meshPass(outline.map(_.map(hard.vertex)).toIndexedSeq)),
           config

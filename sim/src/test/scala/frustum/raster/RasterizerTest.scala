@@ -1,6 +1,14 @@
 package frustum.raster
 
-import frustum.contract.raster.{FramePass, PackedTriangle, PackedVertex, RasterConfig, RenderState, StoreLayout, TileRegion}
+import frustum.contract.raster.{
+  FramePass,
+  PackedTriangle,
+  PackedVertex,
+  RasterConfig,
+  RenderState,
+  StoreLayout,
+  TileRegion
+}
 import frustum.device.Tech
 import frustum.harness.FrustumSim
 import frustum.model
@@ -22,26 +30,26 @@ import scala.util.Random
   */
 case class RasterizerBench(config: RasterConfig, slots: Int, latency: Int) extends Component {
   val layout = StoreLayout(config)
-  val io     = new Bundle {
-    val frame        = slave Stream (FrameJob(config))
-    val tile         = master Stream (TilePosition())
-    val state        = out(RenderStateWord())
-    val down         = master Stream (InterpolatedFragment(config))
-    val stall        = in Bits (3 bits)
+  val io = new Bundle {
+    val frame = slave Stream (FrameJob(config))
+    val tile = master Stream (TilePosition())
+    val state = out(RenderStateWord())
+    val down = master Stream (InterpolatedFragment(config))
+    val stall = in Bits (3 bits)
     val setUp, moved = out Bool ()
   }
-  val unit  = Rasterizer(config, slots, Tech.Generic)
+  val unit = Rasterizer(config, slots, Tech.Generic)
   val store = Mem(Bits(32 bits), 1 << layout.addressBits).simPublic()
   io.frame >> unit.io.frame
   unit.io.tile >> io.tile
   unit.io.down >> io.down
-  io.state         := unit.io.state
-  io.setUp         := unit.io.setUp
-  io.moved         := unit.io.moved
+  io.state := unit.io.state
+  io.setUp := unit.io.setUp
+  io.moved := unit.io.moved
   unit.io.draining := io.down.valid
   for ((bus, n) <- unit.io.stores.zipWithIndex) {
-    bus.cmd.ready   := !io.stall(n)
-    bus.rsp.valid   := Delay(bus.cmd.fire, latency, init = False)
+    bus.cmd.ready := !io.stall(n)
+    bus.rsp.valid := Delay(bus.cmd.fire, latency, init = False)
     bus.rsp.payload := Delay(store.readSync(bus.cmd.address), latency - 1)
   }
 }
@@ -50,52 +58,80 @@ class RasterizerTest extends AnyFunSuite {
 
   /** Words of a bank of the store, as the decoder lays them down. */
   private def image(pass: FramePass, config: RasterConfig): Map[Int, BigInt] = {
-    val layout                   = StoreLayout(config)
-    def word(parts: (Int, Int)*) = parts.foldLeft(BigInt(0)) { case (w, (v, bits)) => (w << bits) | (v & ((1L << bits) - 1)) }
-    val vertices                 = for {
+    val layout = StoreLayout(config)
+    def word(parts: (Int, Int)*) = parts.foldLeft(BigInt(0)) { case (w, (v, bits)) =>
+      (w << bits) | (v & ((1L << bits) - 1))
+    }
+    val vertices = for {
       (v, i) <- pass.vertices.zipWithIndex
       (w, k) <- Seq(
-        word(v.x         -> 16, v.y         -> 16),
-        word(v.z         -> 16, v.qMantissa -> 16),
-        word(v.qExponent -> 5, 0            -> 2, v.s -> 25),
-        word((pass.frame  % 128)            -> 7, v.t -> 25),
-        word(v.r         -> 8, v.g          -> 8, v.b -> 8, v.a -> 8)
+        word(v.x -> 16, v.y -> 16),
+        word(v.z -> 16, v.qMantissa -> 16),
+        word(v.qExponent -> 5, 0 -> 2, v.s -> 25),
+        word((pass.frame % 128) -> 7, v.t -> 25),
+        word(v.r -> 8, v.g -> 8, v.b -> 8, v.a -> 8)
       ).zipWithIndex
     } yield layout.vertexWords * i + k -> w
     val triangles = for ((t, i) <- pass.triangles.zipWithIndex) yield {
-      val v                                                    = Seq(t.v0, t.v1, t.v2).map(pass.vertices)
+      val v = Seq(t.v0, t.v1, t.v2).map(pass.vertices)
       def tiles(at: PackedVertex => Int, size: Int, log2: Int) = {
         val (first, last) = ((v.map(at).min - 8 + 15) >> 4, (v.map(at).max - 8) >> 4)
-        (scala.math.max(first, 0) >> log2, scala.math.min(last, size - 1) >> log2, first > last || last < 0 || first >= size)
+        (
+          scala.math.max(first, 0) >> log2,
+          scala.math.min(last, size - 1) >> log2,
+          first > last || last < 0 || first >= size
+        )
       }
       val (x0, x1, noX) = tiles(_.x, config.width, config.tileLog2Width)
       val (y0, y1, noY) = tiles(_.y, config.height, config.tileLog2Height)
-      val box           = if (noX || noY) Seq(31, 0, 31, 0) else Seq(x0, x1, y0, y1)
+      val box = if (noX || noY) Seq(31, 0, 31, 0) else Seq(x0, x1, y0, y1)
       Seq(
-        layout.triangles + 2 * i     -> word(0 -> 2, t.v0 -> 10, t.v1 -> 10, t.v2 -> 10),
+        layout.triangles + 2 * i -> word(0 -> 2, t.v0 -> 10, t.v1 -> 10, t.v2 -> 10),
         layout.triangles + 2 * i + 1 -> word((t.state -> 4) +: (0 -> 8) +: box.map(_ -> 5): _*)
       )
     }
-    val states = for ((s, i) <- pass.states.zipWithIndex) yield layout.states + i -> word(s.words(0) -> 16, s.words(1) -> 16)
+    val states =
+      for ((s, i) <- pass.states.zipWithIndex) yield layout.states + i -> word(s.words(0) -> 16, s.words(1) -> 16)
     (vertices ++ triangles.flatten ++ states).toMap
   }
 
-  private val benches                                                  = collection.mutable.Map.empty[Any, SimCompiled[RasterizerBench]]
+  private val benches = collection.mutable.Map.empty[Any, SimCompiled[RasterizerBench]]
   private def compiled(config: RasterConfig, slots: Int, latency: Int) = benches.getOrElseUpdate(
     (config, slots, latency), {
-      val name = s"RasterizerBench_${config.width}x${config.height}_${config.tileWidth}x${config.tileHeight}_${slots}_$latency"
+      val name =
+        s"RasterizerBench_${config.width}x${config.height}_${config.tileWidth}x${config.tileHeight}_${slots}_$latency"
       FrustumSim.compile(name)(RasterizerBench(config, slots, latency))
     }
   )
 
-  private def check(config: RasterConfig, slots: Int, latency: Int, passes: Seq[FramePass], stalls: Seq[Double], seed: Int): Unit = {
+  private def check(
+      config: RasterConfig,
+      slots: Int,
+      latency: Int,
+      passes: Seq[FramePass],
+      stalls: Seq[Double],
+      seed: Int
+  ): Unit = {
     val expected = ArrayBuffer.empty[String]
     passes.foreach { pass =>
       model.raster.Rasterizer(config).draw(
         pass,
         new model.raster.FragmentSink {
-          def tile(x: Int, y: Int): Unit                                                                                              = ()
-          def fragment(n: Int, st: RenderState, x: Int, y: Int, s: Int, t: Int, q: Int, z: Int, r: Int, g: Int, b: Int, a: Int): Unit =
+          def tile(x: Int, y: Int): Unit = ()
+          def fragment(
+              n: Int,
+              st: RenderState,
+              x: Int,
+              y: Int,
+              s: Int,
+              t: Int,
+              q: Int,
+              z: Int,
+              r: Int,
+              g: Int,
+              b: Int,
+              a: Int
+          ): Unit =
             expected += Seq(st.words(1), st.words(0), x, y, s, t, q, z, r, g, b, a).mkString(" ")
           def tileEnd(x: Int, y: Int): Unit = expected += "end"
         }
@@ -103,7 +139,7 @@ class RasterizerTest extends AnyFunSuite {
     }
     compiled(config, slots, latency).doSim(seed) { dut =>
       for (rate <- stalls) {
-        val got    = ArrayBuffer.empty[String]
+        val got = ArrayBuffer.empty[String]
         var clocks = 0
         dut.clockDomain.onSamplings { clocks += 1 }
         dut.io.frame.valid #= false
@@ -115,7 +151,8 @@ class RasterizerTest extends AnyFunSuite {
                   else {
                     val bits = dut.io.state.asInstanceOf[Data].flatten.reverse.foldLeft(BigInt(0)) { (w, d) =>
                       val width = d.getBitsWidth
-                      val value = d match { case b: Bool => BigInt(if (b.toBoolean) 1 else 0); case v: BitVector => v.toBigInt }
+                      val value =
+                        d match { case b: Bool => BigInt(if (b.toBoolean) 1 else 0); case v: BitVector => v.toBigInt }
                       (w << width) | value
                     }
                     (Seq((bits >> 16).toInt, (bits & 0xffff).toInt) ++ Seq(f.x, f.y).map(_.toInt) ++
@@ -125,9 +162,13 @@ class RasterizerTest extends AnyFunSuite {
         dut.clockDomain.forkStimulus(10)
         SimTimeout(20000000)
         if (rate > 0)
-          dut.clockDomain.onSamplings { dut.io.stall #= (0 until 3).map(n => if (simRandom.nextDouble() < rate) 1 << n else 0).sum }
+          dut.clockDomain.onSamplings {
+            dut.io.stall #= (0 until 3).map(n => if (simRandom.nextDouble() < rate) 1 << n else 0).sum
+          }
         passes.zipWithIndex.foreach { case (pass, n) =>
-          image(pass, config).foreach { case (at, w) => dut.store.setBigInt(((n & 1) << (StoreLayout(config).addressBits - 1)) + at, w) }
+          image(pass, config).foreach { case (at, w) =>
+            dut.store.setBigInt(((n & 1) << (StoreLayout(config).addressBits - 1)) + at, w)
+          }
           dut.clockDomain.waitSampling()
           val f = dut.io.frame
           f.bank #= n & 1
@@ -149,8 +190,8 @@ class RasterizerTest extends AnyFunSuite {
 
   private def randomPass(r: Random, config: RasterConfig, frame: Int, count: Int): FramePass = {
     val vertices = IndexedSeq.fill(3 * count)(0).indices.map { i =>
-      val span         = 1 << r.between(4, 13)
-      val (cx, cy)     = (r.nextInt(config.width * 16), r.nextInt(config.height * 16))
+      val span = 1 << r.between(4, 13)
+      val (cx, cy) = (r.nextInt(config.width * 16), r.nextInt(config.height * 16))
       def clip(v: Int) = scala.math.max(-PackedVertex.MaxXy, scala.math.min(PackedVertex.MaxXy, v))
       PackedVertex(
         clip(cx + r.between(-span, span)),
@@ -177,15 +218,15 @@ class RasterizerTest extends AnyFunSuite {
     )
   }
 
-  private val usual    = RasterConfig(width = 72, height = 40)
+  private val usual = RasterConfig(width = 72, height = 40)
   private val smallest = RasterConfig(width = 41, height = 27, tileLog2Width = 3, tileLog2Height = 3)
-  private val odd      = RasterConfig(width = 97, height = 50, tileLog2Width = 5, tileLog2Height = 3)
+  private val odd = RasterConfig(width = 97, height = 50, tileLog2Width = 5, tileLog2Height = 3)
   for ((config, slots, latency) <- Seq((usual, 6, 2), (smallest, 3, 1), (odd, 5, 3)))
     test(
       s"fragments equal the model's, tiles of ${config.tileWidth} x ${config.tileHeight}, $slots slots, store answers after $latency clocks"
     ) {
       val seed = 7
-      val r    = new Random(seed)
+      val r = new Random(seed)
       check(
         config,
         slots,

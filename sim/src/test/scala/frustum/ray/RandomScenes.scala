@@ -1,13 +1,24 @@
 package frustum.ray
 
 import frustum.contract.arithmetic.IntVector
-import frustum.contract.ray.{RayCamera, RayCameraRange, RayChecker, RayImage, RayMotion, RayPaint, RayScene, RaySolid, RaySphere, Wall}
+import frustum.contract.ray.{
+  RayCamera,
+  RayCameraRange,
+  RayChecker,
+  RayImage,
+  RayMotion,
+  RayPaint,
+  RayScene,
+  RaySolid,
+  RaySphere,
+  Wall
+}
 import frustum.demos.pong.PongScene
 import scala.util.Random
 
 /** Scenes and motions drawn from a seed. */
 object RandomScenes {
-  private def between(r: Random, low: Int, high: Int): Int                  = low + r.nextInt(high - low + 1)
+  private def between(r: Random, low: Int, high: Int): Int = low + r.nextInt(high - low + 1)
   private def within(r: Random, low: IntVector, high: IntVector): IntVector =
     IntVector(between(r, low.x, high.x), between(r, low.y, high.y), between(r, low.z, high.z))
 
@@ -19,16 +30,16 @@ object RandomScenes {
 
   /** Pong with a camera that goes where it likes before the room or, its puck staying at the back, in it, and turns as it likes. */
   def moving(width: Int, height: Int, pixel: Int, inside: Boolean): RayScene = {
-    val pong        = PongScene.room(width, height, pixel)
+    val pong = PongScene.room(width, height, pixel)
     def all(n: Int) = (IntVector(-n, -n, -n), IntVector(n, n, n))
-    val (eye, far)  =
+    val (eye, far) =
       if (inside) (IntVector(-100, -100, 50), IntVector(100, 100, 300))
       else (IntVector(-100, -100, -320), IntVector(100, 100, -100))
     val (low, high) = all(2 * pixel)
-    val long        =
+    val long =
       scala.math.ceil(1.05 * scala.math.sqrt(pong.camera.squares(width + 1, height + 1)._2.toDouble)).toInt
     val (near, wide) = all(long)
-    val puck         = pong.spheres.head
+    val puck = pong.spheres.head
     pong.copy(
       camera =
         RayCameraRange(RayCamera(eye, near, low, low), RayCamera(far, wide, high, high), Some((550, long))),
@@ -38,8 +49,8 @@ object RandomScenes {
 
   /** A camera that `moving` accepts, by yaw, pitch and roll, its vectors rounded. */
   def camera(scene: RayScene, r: Random, width: Int, height: Int, pixel: Int): RayCamera = {
-    val eye                  = within(r, scene.eye.low, scene.eye.high)
-    val angles               = Seq.fill(3)(r.nextDouble() * 2 * scala.math.Pi)
+    val eye = within(r, scene.eye.low, scene.eye.high)
+    val angles = Seq.fill(3)(r.nextDouble() * 2 * scala.math.Pi)
     def turn(v: Seq[Double]) =
       angles.zip(Seq((0, 2), (1, 2), (0, 1))).foldLeft(v) { case (u, (angle, (i, j))) =>
         val (c, s) = (scala.math.cos(angle), scala.math.sin(angle))
@@ -74,21 +85,21 @@ object RandomScenes {
     * touching walls.
     */
   def scene(r: Random, width: Int, height: Int): RayScene = {
-    val room         = PongScene.room().room
-    val eye          = IntVector(between(r, -200, 200), between(r, -200, 200), between(r, -320, 300))
+    val room = PongScene.room().room
+    val eye = IntVector(between(r, -200, 200), between(r, -200, 200), between(r, -320, 300))
     def axis(n: Int) = IntVector(between(r, -n, n), between(r, -n, n), between(r, -n, n))
-    val camera       = RayCamera(
+    val camera = RayCamera(
       eye,
       IntVector(between(r, -600, 600), between(r, -600, 600), between(r, -200, 600)),
       axis(32),
       axis(32)
     )
-    val light   = IntVector(between(r, -300, 300), between(r, -220, 220), between(r, 0, 640))
-    val wanted  = r.nextInt(9)
+    val light = IntVector(between(r, -300, 300), between(r, -220, 220), between(r, 0, 640))
+    val wanted = r.nextInt(9)
     val spheres = Iterator
       .continually {
         val radius = between(r, 1, 60)
-        val c      = within(
+        val c = within(
           r,
           IntVector(-320 + radius, -240 + radius, -400),
           IntVector(320 - radius, 240 - radius, 640 - radius)

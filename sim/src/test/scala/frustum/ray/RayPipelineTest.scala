@@ -37,9 +37,9 @@ class RayPipelineTest extends AnyFunSuite {
       camera: Random => Option[RayCamera] = _ => None,
       fast: Boolean = false
   ): Unit = {
-    val random  = new Random(seed)
+    val random = new Random(seed)
     val motions = Seq.fill(frames)(RandomScenes.motion(scene, random).copy(camera = camera(random)))
-    val model   = new RayPicture(scene, mode.width, mode.height)
+    val model = new RayPicture(scene, mode.width, mode.height)
     FrustumSim.compile(s"RayPipeline_$name")(new TimedRay(RayConfig(scene, mode, fast))).doSim(name, seed) { dut =>
       SimTimeout(100L * 1000 * 1000)
       dut.clockDomain.forkStimulus(10)
@@ -103,7 +103,7 @@ class RayPipelineTest extends AnyFunSuite {
   test("pong, with registers for a higher clock")(compare("fast", pong, 4, 11, fast = true))
   test("pong, its puck not shaded")(compare("flat", pong.copy(shaded = false), 3, 7))
   test("two spheres, of which the nearer one's shade is shown") {
-    val puck   = pong.spheres.head
+    val puck = pong.spheres.head
     val pillar = RaySphere(IntVector(-40, -60, 560), IntVector(-40, -60, 560), 30, 0x40c0ff)
     // The puck stays before the pillar.
     val wide = mode.copy(name = "400x12", width = 400)
@@ -120,12 +120,12 @@ class RayPipelineTest extends AnyFunSuite {
     )
   }
   test("images on walls and quads, solid walls") {
-    val random                           = new Random(10)
+    val random = new Random(10)
     def image(w: Int, h: Int, bits: Int) =
       RayImage(w, h, bits, IndexedSeq.fill(w * h)(random.nextInt(1 << 24)))
     val (small, shared) = (image(8, 4, 3), image(16, 16, 5))
-    val paints          = Seq(shared, RaySolid(0x8040c0), shared, RayChecker(4), small)
-    val scene           = pong.copy(
+    val paints = Seq(shared, RaySolid(0x8040c0), shared, RayChecker(4), small)
+    val scene = pong.copy(
       room = pong.room.copy(paints = paints),
       quads = pong.quads.map(_.copy(paint = image(32, 32, 2)))
     )

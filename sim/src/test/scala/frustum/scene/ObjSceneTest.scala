@@ -55,12 +55,14 @@ class ObjSceneTest extends AnyFunSuite {
 
   test("polygons with corners inwards are cut along diagonals within them") {
     // an L, an arrow head, and the L seen from behind, each from every corner on
-    val l     = IndexedSeq((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2))
+    val l = IndexedSeq((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2))
     val arrow = IndexedSeq((0, 0), (4, 3), (0, 1), (-4, 3))
     for ((shape, area) <- Seq(l -> 3.0, arrow -> 4.0, l.reverse -> 3.0); first <- shape.indices) {
-      val corners   = shape.drop(first) ++ shape.take(first)
-      val triangles = read(corners.map { case (x, y) => s"v $x $y 5\n" }.mkString + "f 1 2 3 4 5 6".take(1 + 2 * shape.length)).triangles
-      val normals   = triangles.map { t =>
+      val corners = shape.drop(first) ++ shape.take(first)
+      val triangles = read(
+        corners.map { case (x, y) => s"v $x $y 5\n" }.mkString + "f 1 2 3 4 5 6".take(1 + 2 * shape.length)
+      ).triangles
+      val normals = triangles.map { t =>
         new Vector3d(t.v1.position).sub(t.v0.position).cross(new Vector3d(t.v2.position).sub(t.v0.position))
       }
       assert(triangles.length == shape.length - 2)
@@ -109,8 +111,8 @@ class ObjSceneTest extends AnyFunSuite {
         |d 0.5
         |map_Kd ok.png""".stripMargin
     val names = Seq("red", "glass", "wood", "fence", "haze", "pane")
-    val s     = read(square + "mtllib a.mtl\n" + names.map(n => s"usemtl $n\nf 1/1 2/2 3/3\n").mkString, mtl)
-    val m     = s.triangles.map(t => s.materials(t.material))
+    val s = read(square + "mtllib a.mtl\n" + names.map(n => s"usemtl $n\nf 1/1 2/2 3/3\n").mkString, mtl)
+    val m = s.triangles.map(t => s.materials(t.material))
     assert(m.map(_.name) == names)
     assert(m.map(_.color) == Seq((1, 0, 0), (0, 0, 1), (1, 1, 1), (1, 1, 1), (1, 1, 1), (1, 1, 1)))
     assert(m.map(_.alpha) == Seq(1, 0.25, 1, 1, 1, 0.5))

@@ -2,15 +2,26 @@ package frustum.scene
 
 import frustum.contract.arithmetic.IntVector
 import frustum.contract.InputError
-import frustum.contract.ray.{RayBox, RayCamera, RayCameraRange, RayChecker, RayImage, RayQuad, RayRoom, RayScene, RaySolid, RaySphere}
+import frustum.contract.ray.{
+  RayBox,
+  RayCamera,
+  RayCameraRange,
+  RayChecker,
+  RayImage,
+  RayQuad,
+  RayRoom,
+  RayScene,
+  RaySolid,
+  RaySphere
+}
 import frustum.demos.pong.PongScene
 import org.scalatest.funsuite.AnyFunSuite
 
 import java.nio.file.Files
 
 class RaySceneFileTest extends AnyFunSuite {
-  private val base                  = PongScene.room()
-  private val file                  = Files.createTempFile("scene", ".json")
+  private val base = PongScene.room()
+  private val file = Files.createTempFile("scene", ".json")
   private def read(content: String) = {
     Files.writeString(file, content); RaySceneFile.read(file, base, 640, 480)
   }
@@ -76,34 +87,37 @@ class RaySceneFileTest extends AnyFunSuite {
   private def back(paint: String) =
     s"""{"room": {"low": [-320, -240, 0], "high": [320, 240, 640], "cellBits": 6, "walls": {"back": $paint}}}"""
   private val bad = Seq(
-    """{"camera": {"low": {}, "high": {}}}"""                                                -> Seq("camera", "'lengths'"),
-    """{"camera": {"low": {}, "high": {}, "lengths": [1, 2]}}"""                             -> Seq("camera.low", "'eye'"),
-    """{"camera": {"low": {}, "high": {}, "lengths": 3}}"""                                  -> Seq("camera.lengths", "list"),
-    back("""{"image": "none.png", "texelBits": 1}""")                                        -> Seq("none.png", "no such picture"),
-    back("""{"image": "odd.png", "texelBits": 1}""")                                         -> Seq("odd.png", "3 x 2", "power of two"),
-    back("""{"image": "paint.png"}""")                                                       -> Seq("room.walls.back", "'texelBits'"),
-    back("""{"image": "paint.png", "texelBits": 13}""")                                      -> Seq("2^13", "2^12"),
-    back("""{"colour": "ffffff"}""")                                                         -> Seq("room.walls.back", "'colour'"),
-    back("""{"image": "paint.png", "color": "ffffff"}""")                                    -> Seq("room.walls.back", "one of them"),
-    "{\n\"light\": [1,2\n}"                                                                  -> Seq(":3: ", "JSON"),
-    "{"                                                                                      -> Seq("JSON"),
-    "[]"                                                                                     -> Seq("scene", "no object"),
-    """{"lamp": [0,0,0]}"""                                                                  -> Seq("'lamp'", "light"),
-    """{"light": [0,0]}"""                                                                   -> Seq("light", "[x, y, z]"),
-    """{"light": [0,0,0.5]}"""                                                               -> Seq("light", "0.5", "whole"),
-    """{"background": "red"}"""                                                              -> Seq("background", "hexadecimal"),
-    """{"camera": {"eye": [0,0,0], "focal": 0}}"""                                           -> Seq("camera.focal", "at least 1"),
-    """{"camera": {"eye": [0,0,0], "focal": -320}}"""                                        -> Seq("camera.focal", "at least 1"),
-    """{"camera": {"eye": [0,0,0], "corner": [1,2,3], "right": [0,0,0], "down": [0,1,0]}}""" -> Seq("one plane", "(0, 0, 0)"),
+    """{"camera": {"low": {}, "high": {}}}""" -> Seq("camera", "'lengths'"),
+    """{"camera": {"low": {}, "high": {}, "lengths": [1, 2]}}""" -> Seq("camera.low", "'eye'"),
+    """{"camera": {"low": {}, "high": {}, "lengths": 3}}""" -> Seq("camera.lengths", "list"),
+    back("""{"image": "none.png", "texelBits": 1}""") -> Seq("none.png", "no such picture"),
+    back("""{"image": "odd.png", "texelBits": 1}""") -> Seq("odd.png", "3 x 2", "power of two"),
+    back("""{"image": "paint.png"}""") -> Seq("room.walls.back", "'texelBits'"),
+    back("""{"image": "paint.png", "texelBits": 13}""") -> Seq("2^13", "2^12"),
+    back("""{"colour": "ffffff"}""") -> Seq("room.walls.back", "'colour'"),
+    back("""{"image": "paint.png", "color": "ffffff"}""") -> Seq("room.walls.back", "one of them"),
+    "{\n\"light\": [1,2\n}" -> Seq(":3: ", "JSON"),
+    "{" -> Seq("JSON"),
+    "[]" -> Seq("scene", "no object"),
+    """{"lamp": [0,0,0]}""" -> Seq("'lamp'", "light"),
+    """{"light": [0,0]}""" -> Seq("light", "[x, y, z]"),
+    """{"light": [0,0,0.5]}""" -> Seq("light", "0.5", "whole"),
+    """{"background": "red"}""" -> Seq("background", "hexadecimal"),
+    """{"camera": {"eye": [0,0,0], "focal": 0}}""" -> Seq("camera.focal", "at least 1"),
+    """{"camera": {"eye": [0,0,0], "focal": -320}}""" -> Seq("camera.focal", "at least 1"),
+    """{"camera": {"eye": [0,0,0], "corner": [1,2,3], "right": [0,0,0], "down": [0,1,0]}}""" -> Seq(
+      "one plane",
+      "(0, 0, 0)"
+    ),
     """{"camera": {"eye": [0,0,0], "corner": [-320,240,320], "right": [1,0,0], "down": [2,0,0]}}""" -> Seq("one plane"),
-    """{"camera": {"eye": [0,0,0]}}"""                                                              -> Seq("camera", "'corner'"),
-    """{"spheres": {"centre": [0,0,100]}}"""                                                        -> Seq("spheres", "list"),
-    """{"spheres": [{"centre": [0,0,100], "color": "ff0000"}]}"""                                   -> Seq("spheres[0]", "'radius'"),
-    """{"spheres": [{"centre": [0,0,100], "low": [0,0,0], "radius": 1, "color": "ff0000"}]}"""      -> Seq(
+    """{"camera": {"eye": [0,0,0]}}""" -> Seq("camera", "'corner'"),
+    """{"spheres": {"centre": [0,0,100]}}""" -> Seq("spheres", "list"),
+    """{"spheres": [{"centre": [0,0,100], "color": "ff0000"}]}""" -> Seq("spheres[0]", "'radius'"),
+    """{"spheres": [{"centre": [0,0,100], "low": [0,0,0], "radius": 1, "color": "ff0000"}]}""" -> Seq(
       "spheres[0]",
       "centre"
     ),
-    """{"spheres": [{"centre": [0,0,100], "radius": 0, "color": "ff0000"}]}"""   -> Seq("sphere 0", "radius 0"),
+    """{"spheres": [{"centre": [0,0,100], "radius": 0, "color": "ff0000"}]}""" -> Seq("sphere 0", "radius 0"),
     """{"spheres": [{"centre": [0,0,-310], "radius": 20, "color": "ff0000"}]}""" -> Seq(
       "inside sphere 0",
       "20"

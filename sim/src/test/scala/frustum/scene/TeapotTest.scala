@@ -69,8 +69,8 @@ class TeapotTest extends AnyFunSuite {
   test("normals are the slopes' limit everywhere") {
     for (part <- Teapot.parts; u <- Seq(0.05, 0.4, 0.93); v <- Seq(0.1, 0.6)) {
       val (p, e) = (part.patch.point(u, v), 1e-5)
-      val du     = part.patch.point(u + e, v).sub(p)
-      val dv     = part.patch.point(u, v + e).sub(p)
+      val du = part.patch.point(u + e, v).sub(p)
+      val dv = part.patch.point(u, v + e).sub(p)
       assert(du.cross(dv).normalize.dot(part.patch.normal(u, v)) > 0.999, s"${part.name} $u $v")
     }
   }

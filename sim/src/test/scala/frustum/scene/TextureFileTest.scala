@@ -22,6 +22,8 @@ class TextureFileTest extends AnyFunSuite {
     val wanted = (0 until 8).map(x => 0xff000000 | 36 * x * 0x010101)
     assert(read(BufferedImage.TYPE_BYTE_GRAY, 36 * _) == wanted)
     assert(read(BufferedImage.TYPE_USHORT_GRAY, 36 * 257 * _) == wanted)
-    assert(read(BufferedImage.TYPE_BYTE_BINARY, _ & 1) == (0 until 8).map(x => if (x % 2 == 1) 0xffffffff else 0xff000000))
+    assert(read(BufferedImage.TYPE_BYTE_BINARY, _ & 1) == (0 until 8).map(x =>
+      if (x % 2 == 1) 0xffffffff else 0xff000000
+    ))
   }
 }

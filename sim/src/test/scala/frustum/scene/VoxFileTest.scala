@@ -27,14 +27,14 @@ class VoxFileTest extends AnyFunSuite {
     chunk("XYZI", ints(v.length) ++ v.flatMap { case (x, y, z, c) => Seq(x, y, z, c).map(_.toByte) })
 
   test("voxels stand in the middle of the ground, as blocks of the nearest colour") {
-    val snow   = 0xf6fafc
+    val snow = 0xf6fafc
     val colors = chunk(
       "RGBA",
       ints((Seq(0x0000ff, snow) ++ Seq.fill(254)(0)).map { rgb =>
         0xff << 24 | (rgb & 255) << 16 | rgb & 0xff00 | rgb >> 16 & 255
       }: _*)
     )
-    val file  = vox(chunk("SIZE", ints(2, 4, 3)), voxels((0, 0, 0, 1), (1, 3, 2, 2)), colors)
+    val file = vox(chunk("SIZE", ints(2, 4, 3)), voxels((0, 0, 0, 1), (1, 3, 2, 2)), colors)
     val world = VoxFile.read(file, size, Blocks.assets)
     assert(world(3, 2, 0) == Blocks.id("blue wool"))
     assert(world(4, 5, 2) == Blocks.id("snow"))

@@ -14,7 +14,7 @@ class StabilityTest extends AnyFunSuite {
 
   /** Values of the declared domain, its ends and their neighbourhood among them. */
   private def inside(s: Sweep, random: Random): Seq[Double] = {
-    val (low, high)     = (s.domain.low.max(s.from), s.domain.high.min(s.to))
+    val (low, high) = (s.domain.low.max(s.from), s.domain.high.min(s.to))
     def pick(f: Double) =
       if (s.whole) scala.math.rint(low + f * (high - low))
       else exp(log(low) + f * (log(high) - log(low))).max(low).min(high)

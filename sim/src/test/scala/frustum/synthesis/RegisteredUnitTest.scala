@@ -15,7 +15,9 @@ class RegisteredUnitTest extends AnyFunSuite {
     Files.readString(folder.resolve("timed.v"))
   }
 
-  test("two data pins and the clock, whether the unit has registers, black boxes with a clock of their own, or neither") {
+  test(
+    "two data pins and the clock, whether the unit has registers, black boxes with a clock of their own, or neither"
+  ) {
     for (
       unit <- Seq[() => Component](
         () => frustum.video.OrderedDither(ColorFormat.Rgb444),
@@ -24,7 +26,7 @@ class RegisteredUnitTest extends AnyFunSuite {
       )
     ) {
       val text = verilog(unit())
-      val top  = text.substring(text.indexOf("module timed"))
+      val top = text.substring(text.indexOf("module timed"))
       val pins = top.substring(0, top.indexOf(");")).linesIterator.drop(1).map(_.trim.split("[ ,]+").last).toSet
       assert(pins.filterNot(_ == "reset") == Set("io_in", "io_out", "clk"), text.take(2000))
     }

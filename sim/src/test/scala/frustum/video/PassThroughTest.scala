@@ -13,7 +13,7 @@ class PassThroughTest extends AnyFunSuite {
         inputs.zipWithIndex.foreach { case (pin, i) => pin #= (levels >> i & 1) != 0 }
         sleep(1)
         val source = if (mux.toBoolean) Seq(sck, mosi, dc, cs) else Seq(core.sck, core.mosi, core.dc, core.cs)
-        val out    = Seq(pins.sck, pins.mosi, pins.dc, pins.cs)
+        val out = Seq(pins.sck, pins.mosi, pins.dc, pins.cs)
         assert(out.map(_.toBoolean) == source.map(_.toBoolean) && pins.reset.toBoolean == core.reset.toBoolean)
       }
     }

@@ -14,25 +14,26 @@ import scala.collection.mutable.ArrayBuffer
 import scala.util.Random
 
 /** The display unit, the simulated panel's port, and a source of pixels that needs no JVM: pixel n is a hash of n. */
-case class DisplayTop(config: RasterConfig, panel: Panel, fast: Int, clocksPerBit: Int, free: Boolean) extends Component {
+case class DisplayTop(config: RasterConfig, panel: Panel, fast: Int, clocksPerBit: Int, free: Boolean)
+    extends Component {
   val io = new Bundle {
     val pixels = slave(Stream(ResolvedPixel(config)))
-    val pins   = out(DisplayPins())
+    val pins = out(DisplayPins())
     val frames = in UInt (8 bits) // that the built-in source sends
   }
   val display = SpiDisplay(config, panel, DisplayTop.ClockHz, clocksPerBit, fast)
-  val tft     = SimTft(gapLog2 = 8)
-  io.pins     := display.io.pins
+  val tft = SimTft(gapLog2 = 8)
+  io.pins := display.io.pins
   tft.io.pins := display.io.pins
   if (!free) display.io.pixels << io.pixels
   else {
     io.pixels.ready := False
     val x, y, frame = RegInit(U(0, 12 bits))
-    val up          = display.io.pixels
-    val tileX       = x >> config.tileLog2Width
-    val tileY       = y >> config.tileLog2Height
-    val endX        = x(config.tileLog2Width - 1 downto 0).andR || x === config.width - 1
-    val endY        = y(config.tileLog2Height - 1 downto 0).andR || y === config.height - 1
+    val up = display.io.pixels
+    val tileX = x >> config.tileLog2Width
+    val tileY = y >> config.tileLog2Height
+    val endX = x(config.tileLog2Width - 1 downto 0).andR || x === config.width - 1
+    val endY = y(config.tileLog2Height - 1 downto 0).andR || y === config.height - 1
     up.valid := frame < io.frames.resize(12)
     up.color := (x * 77 + y * 1031).resize(16).asBits
     up.first := x(config.tileLog2Width - 1 downto 0) === 0 && y(config.tileLog2Height - 1 downto 0) === 0
@@ -65,9 +66,14 @@ class SpiDisplayTest extends AnyFunSuite {
   private def pixels(config: RasterConfig, picture: Array[Int]): Seq[DisplayModel.Pixel] =
     for {
       ty <- 0 until config.tilesY; tx <- 0 until config.tilesX
-      y  <- ty * config.tileHeight until ((ty + 1) * config.tileHeight).min(config.height)
-      x  <- tx * config.tileWidth until ((tx + 1) * config.tileWidth).min(config.width)
-    } yield DisplayModel.Pixel(picture(y * config.width + x), x % config.tileWidth == 0 && y % config.tileHeight == 0, tx, ty)
+      y <- ty * config.tileHeight until ((ty + 1) * config.tileHeight).min(config.height)
+      x <- tx * config.tileWidth until ((tx + 1) * config.tileWidth).min(config.width)
+    } yield DisplayModel.Pixel(
+      picture(y * config.width + x),
+      x % config.tileWidth == 0 && y % config.tileHeight == 0,
+      tx,
+      ty
+    )
 
   private def drive(dut: DisplayTop, pixels: Seq[DisplayModel.Pixel], stall: Double): Unit =
     for (p <- pixels) {
@@ -88,15 +94,23 @@ class SpiDisplayTest extends AnyFunSuite {
       (Panel.Ili9341, RasterConfig(width = 264, height = 8, tileLog2Height = 3), 2),
       (Panel.St7789, RasterConfig(width = 264, height = 8, tileLog2Height = 3), 4)
     )
-  } test(s"${panel.name}, ${config.width} x ${config.height}, $clocksPerBit clocks a bit: bytes as modelled, picture right") {
-    val sim = FrustumSim.compile(s"Display_${panel.name}_${config.width}")(DisplayTop(config, panel, fast, clocksPerBit, free = false))
+  } test(
+    s"${panel.name}, ${config.width} x ${config.height}, $clocksPerBit clocks a bit: bytes as modelled, picture right"
+  ) {
+    val sim = FrustumSim.compile(s"Display_${panel.name}_${config.width}")(DisplayTop(
+      config,
+      panel,
+      fast,
+      clocksPerBit,
+      free = false
+    ))
     for ((stall, seed) <- Seq((0.0, 1), (0.6, 2))) sim.doSim(s"stall$stall", seed) { dut =>
-      val random  = new Random(seed)
+      val random = new Random(seed)
       val picture = Array.fill(config.width * config.height)(random.nextInt(65536))
-      val stream  = pixels(config, picture)
-      val tft     = new TftController(panel)
-      val reader  = new SimTftReader(dut.tft, tft, DisplayTop.ClockHz, fast)
-      val bytes   = DisplayModel.start(config, panel) ++ DisplayModel.tiles(config, stream)
+      val stream = pixels(config, picture)
+      val tft = new TftController(panel)
+      val reader = new SimTftReader(dut.tft, tft, DisplayTop.ClockHz, fast)
+      val bytes = DisplayModel.start(config, panel) ++ DisplayModel.tiles(config, stream)
       dut.io.pixels.valid #= false
       dut.io.frames #= 0
       SimTimeout(10L * 4000000)
@@ -109,7 +123,7 @@ class SpiDisplayTest extends AnyFunSuite {
       assert(tft.violations.isEmpty, s"seed $seed, stall $stall: ${tft.violations.mkString("; ")}")
       assert(tft.picture(config.width, config.height).sameElements(picture), s"seed $seed, stall $stall")
       if (stall == 0) {
-        val tile  = bytes.length - 2 * config.tileWidth // within the last tiles: one byte after the other
+        val tile = bytes.length - 2 * config.tileWidth // within the last tiles: one byte after the other
         val times = got.map(_._3).slice(tile, bytes.length)
         assert(times.zip(times.tail).forall { case (a, b) => b - a == 8 * clocksPerBit }, "gaps between bytes")
       }
@@ -118,7 +132,7 @@ class SpiDisplayTest extends AnyFunSuite {
 
   /** (D/C, byte, clock) at the pins, by the JVM: independent of the simulated hardware. */
   private def collect(dut: DisplayTop): ArrayBuffer[(Boolean, Int, Long)] = {
-    val got                        = ArrayBuffer.empty[(Boolean, Int, Long)]
+    val got = ArrayBuffer.empty[(Boolean, Int, Long)]
     var (sck, shift, count, clock) = (false, 0, 0, 0L)
     dut.clockDomain.onSamplings {
       clock += 1
@@ -136,20 +150,21 @@ class SpiDisplayTest extends AnyFunSuite {
 
   test("two whole frames of 240 x 320 at the pins, in under 10 s each") {
     val config = RasterConfig()
-    FrustumSim.compile("Display_frame")(DisplayTop(config, Panel.Ili9341, fast, 2, free = true)).doSim("frames", 1) { dut =>
-      dut.io.pixels.valid #= false
-      dut.io.frames #= 2
-      dut.clockDomain.forkStimulus(period = 10)
-      val tft     = new TftController(Panel.Ili9341)
-      val reader  = new SimTftReader(dut.tft, tft, DisplayTop.ClockHz, fast)
-      val started = System.nanoTime
-      while (tft.pixels < 2 * config.width * config.height) { sleep(10L * 200000); reader.drain() }
-      val seconds = (System.nanoTime - started) / 1e9
-      info(f"$seconds%.1f s for two frames")
-      assert(tft.violations.isEmpty, tft.violations.mkString("; "))
-      val expected = Array.tabulate(config.width * config.height)(i => (i % 240 * 77 + i / 240 * 1031) & 0xffff)
-      assert(tft.picture(config.width, config.height).sameElements(expected))
-      assert(seconds < 20)
+    FrustumSim.compile("Display_frame")(DisplayTop(config, Panel.Ili9341, fast, 2, free = true)).doSim("frames", 1) {
+      dut =>
+        dut.io.pixels.valid #= false
+        dut.io.frames #= 2
+        dut.clockDomain.forkStimulus(period = 10)
+        val tft = new TftController(Panel.Ili9341)
+        val reader = new SimTftReader(dut.tft, tft, DisplayTop.ClockHz, fast)
+        val started = System.nanoTime
+        while (tft.pixels < 2 * config.width * config.height) { sleep(10L * 200000); reader.drain() }
+        val seconds = (System.nanoTime - started) / 1e9
+        info(f"$seconds%.1f s for two frames")
+        assert(tft.violations.isEmpty, tft.violations.mkString("; "))
+        val expected = Array.tabulate(config.width * config.height)(i => (i % 240 * 77 + i / 240 * 1031) & 0xffff)
+        assert(tft.picture(config.width, config.height).sameElements(expected))
+        assert(seconds < 20)
     }
   }
 }

@@ -15,18 +15,18 @@ class CompactVoxelPipelineTest extends AnyFunSuite {
 
   private def equal(c: VoxelConfig, frames: Int, worlds: Seq[VoxelWorld]): Unit =
     CompactVoxelSession.compile(c, Blocks.assets).doSim("equal", seed) { dut =>
-      val random  = new Random(seed)
+      val random = new Random(seed)
       val session = new CompactVoxelSession(dut)
       for (world <- worlds) {
         val model = new VoxelModel(c, Blocks.assets, world)
         session.load(model.words)
         for ((view, n) <- VoxelViews(c, random, frames).zipWithIndex) {
-          val camera    = view.camera(c)
+          val camera = view.camera(c)
           val highlight = n % 2 == 0
           val pointedAt = model.pointedAt(camera, VoxelConfig.Reach)
-          val pixels    = for (j <- 0 until c.height; i <- 0 until c.width)
+          val pixels = for (j <- 0 until c.height; i <- 0 until c.width)
             yield model.pixel(camera, i, j, pointedAt.filter(_ => highlight))
-          val pace  = Seq(0, 15, 31)(n % 3)
+          val pace = Seq(0, 15, 31)(n % 3)
           val frame = session.frame(camera, highlight, pace, stalls = n % 4 != 0)
           val wrong = pixels.indices.filter(i => CompactVoxelSession.shown(pixels(i).color) != frame.picture(i))
           wrong.headOption.foreach { i =>
@@ -72,26 +72,26 @@ class CompactVoxelPipelineTest extends AnyFunSuite {
   test(
     "what changes while a frame is drawn is seen in the next one; a world being loaded is not kept waiting"
   ) {
-    val c      = VoxelConfig(size = WorldSize(16, 8, 16), width = 40, height = 32)
+    val c = VoxelConfig(size = WorldSize(16, 8, 16), width = 40, height = 32)
     val random = new Random(seed)
     CompactVoxelSession.compile(c, Blocks.assets).doSim("changes", seed) { dut =>
       val session = new CompactVoxelSession(dut)
-      var world   = VoxelViews.scatter(c.size, random, 0.1)
-      var words   = new VoxelModel(c, Blocks.assets, world).words
+      var world = VoxelViews.scatter(c.size, random, 0.1)
+      var words = new VoxelModel(c, Blocks.assets, world).words
       session.load(words)
       val cameras = VoxelViews(c, random, 40).map(_.camera(c))
       session.camera(cameras.head)
       for ((camera, next) <- cameras.zip(cameras.tail)) {
-        val model    = new VoxelModel(c, Blocks.assets, world)
+        val model = new VoxelModel(c, Blocks.assets, world)
         val expected = for (j <- 0 until c.height; i <- 0 until c.width) yield model.pixel(camera, i, j)
         session.start(highlight = false)
         // A camera that is not committed, two that are, and edits, all while the frame is drawn.
         session.camera(cameras.last, commit = false)
         session.camera(cameras.last)
         val (x, y, z) = (random.nextInt(16), random.nextInt(8), random.nextInt(16))
-        val changed   = world.updated(x, y, z, if (world(x, y, z) == 0) 1 + random.nextInt(24) else 0)
-        val after     = new VoxelModel(c, Blocks.assets, changed).words
-        val edits     = words.indices.filter(i => words(i) != after(i))
+        val changed = world.updated(x, y, z, if (world(x, y, z) == 0) 1 + random.nextInt(24) else 0)
+        val after = new VoxelModel(c, Blocks.assets, changed).words
+        val edits = words.indices.filter(i => words(i) != after(i))
         if (edits.length < CompactVoxelPipeline.Patient) {
           edits.foreach(i => session.edit(i, after(i)))
           world = changed

@@ -17,14 +17,14 @@ class VoxelFaultsTest extends AnyFunSuite {
   private val c = VoxelConfig(size = WorldSize(8, 8, 8), width = 32, height = 24, fog = false)
 
   private def model(id: (Int, Int, Int) => Int) = new VoxelModel(c, Blocks.assets, VoxelWorld.tabulate(c.size)(id))
-  private def ahead(x: Double)                  = VoxelView(new Vector3d(x, 3.5, 3.5), 0, 0, 20).camera(c)
+  private def ahead(x: Double) = VoxelView(new Vector3d(x, 3.5, 3.5), 0, 0, 20).camera(c)
 
   test("layers reach opaque, and what lies behind counts for what is left alone (seed 1)") {
     val random = new Random(1)
     for (_ <- 0 until 500) {
-      val layers    = Seq.fill(random.nextInt(12))((Seq.fill(3)(random.nextInt(256)), random.nextInt(15)))
-      val last      = (Seq.fill(3)(random.nextInt(256)), 15)
-      val gathered  = (layers :+ last).foldLeft(LayerComposite.Empty) { case (g, (rgb, a)) => g.behind(rgb, a) }
+      val layers = Seq.fill(random.nextInt(12))((Seq.fill(3)(random.nextInt(256)), random.nextInt(15)))
+      val last = (Seq.fill(3)(random.nextInt(256)), 15)
+      val gathered = (layers :+ last).foldLeft(LayerComposite.Empty) { case (g, (rgb, a)) => g.behind(rgb, a) }
       val (want, _) = (layers :+ last).foldLeft((Seq(0.0, 0.0, 0.0), 1.0)) { case ((sum, left), (rgb, a)) =>
         val weight = left * (a + (a >> 3)) / 16.0
         (sum.zip(rgb).map { case (s, v) => s + weight * v }, left - weight)
@@ -44,21 +44,25 @@ class VoxelFaultsTest extends AnyFunSuite {
   }
 
   test("a transparent block is selected before the opaque one behind it; water is not") {
-    def seen(front: String) = model((x, _, _) => if (x == 4) Blocks.id(front) else if (x == 5) 1 else 0).pointedAt(ahead(1.5), 6).get
+    def seen(front: String) =
+      model((x, _, _) => if (x == 4) Blocks.id(front) else if (x == 5) 1 else 0).pointedAt(ahead(1.5), 6).get
     assert(seen("glass").x == 4 && seen("leaves").x == 4 && seen("ice").x == 4)
     assert(seen("water").x == 5)
   }
 
   test("rays outside of the world see no block, wherever they go on; none is selected there") {
     val corner = model((x, y, z) => if (x == 0 && y == 0 && z == 0) 1 else 0)
-    val full   = model((_, _, _) => 1)
+    val full = model((_, _, _) => 1)
     for (eye <- Seq((-5.0, 3.5, 3.5), (3.5, 13.0, 3.5), (20.0, 20.0, -9.0), (3.5, 3.5, 30.0))) {
       val (x, y, z) = eye
       // Away from the middle of the world.
       val (yaw, pitch) = VoxelView.angles(new Vector3d(x - 4, y - 4, z - 4))
-      val camera       = VoxelView(new Vector3d(x, y, z), yaw, pitch, 20).camera(c)
+      val camera = VoxelView(new Vector3d(x, y, z), yaw, pitch, 20).camera(c)
       for (m <- Seq(corner, full)) {
-        assert((for (j <- 0 until c.height; i <- 0 until c.width) yield m.pixel(camera, i, j)).forall(_.seen.isEmpty), eye)
+        assert(
+          (for (j <- 0 until c.height; i <- 0 until c.width) yield m.pixel(camera, i, j)).forall(_.seen.isEmpty),
+          eye
+        )
         assert(m.pointedAt(camera, 6).isEmpty)
       }
     }

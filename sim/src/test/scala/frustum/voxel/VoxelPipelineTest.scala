@@ -21,10 +21,10 @@ class VoxelPipelineTest extends AnyFunSuite {
         val model = new VoxelModel(c, Blocks.assets, world)
         session.load(model.words)
         for ((view, n) <- views.zipWithIndex) {
-          val camera    = view.camera(c)
+          val camera = view.camera(c)
           val highlight = n % 2 == 0
           val pointedAt = model.pointedAt(camera, reach = 6)
-          val pixels    = for (j <- 0 until c.height; i <- 0 until c.width)
+          val pixels = for (j <- 0 until c.height; i <- 0 until c.width)
             yield model.pixel(camera, i, j, pointedAt.filter(_ => highlight))
           val frame = session.frame(camera, highlight)
           val wrong = pixels.indices.filter(i => pixels(i).color != frame.picture(i))
@@ -36,7 +36,7 @@ class VoxelPipelineTest extends AnyFunSuite {
           }
           assert(session.pointedAt == pointedAt.map(f => (Seq(f.x, f.y, f.z), f.face)), s"$view")
           val picking = model.pointedAtSteps(camera)
-          val steps   = pixels.map(_.steps).sum + picking
+          val steps = pixels.map(_.steps).sum + picking
           assert(frame.steps == steps, s"$view")
           // Alone in the ring: the ray that picks, and at the end perhaps the longest.
           val alone = MarcherStages.Fast.slots * (picking + pixels.map(_.steps).max) + 100

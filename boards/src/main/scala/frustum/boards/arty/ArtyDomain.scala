@@ -11,8 +11,13 @@ object ArtyDomain {
 
   def apply(clock: Bool, resetn: Bool, frequency: HertzNumber): ClockDomain = {
     val unreset = ClockDomain(clock, config = ClockDomainConfig(resetKind = BOOT))
-    val button  = ResetCtrl.asyncAssertSyncDeassert(!resetn, unreset, inputPolarity = HIGH, outputPolarity = HIGH)
-    val reset   = unreset(RegNext(button || !History(True, PowerUp, init = False).last) init True)
-    ClockDomain(clock, reset, config = ClockDomainConfig(resetKind = SYNC), frequency = ClockDomain.FixedFrequency(frequency))
+    val button = ResetCtrl.asyncAssertSyncDeassert(!resetn, unreset, inputPolarity = HIGH, outputPolarity = HIGH)
+    val reset = unreset(RegNext(button || !History(True, PowerUp, init = False).last) init True)
+    ClockDomain(
+      clock,
+      reset,
+      config = ClockDomainConfig(resetKind = SYNC),
+      frequency = ClockDomain.FixedFrequency(frequency)
+    )
   }
 }

@@ -28,7 +28,7 @@ object ArtyTops {
   /** What 50 block RAMs hold: a picture of a quarter of the pixels. */
   val voxel35Config: VoxelConsoleConfig = voxelConsole(160, 120)
 
-  val voxel: BoardTop   = voxelTop("arty-voxel", Part.Artix7A100, voxelConfig)
+  val voxel: BoardTop = voxelTop("arty-voxel", Part.Artix7A100, voxelConfig)
   val voxel35: BoardTop = voxelTop("arty-voxel-35t", Part.Artix7A35, voxel35Config)
 
   /** What the part's block RAMs cannot hold is refused when it is elaborated. */

@@ -10,8 +10,8 @@ import spinal.core._
   *   - `vga`: Digilent's VGA PMOD on JB and JC
   */
 case class PongPins() extends Bundle {
-  val clk, resetn                  = in Bool ()
-  val up, down, left, right        = in Bool ()
+  val clk, resetn = in Bool ()
+  val up, down, left, right = in Bool ()
   val vga_red, vga_green, vga_blue = out UInt (4 bits)
-  val vga_hSync, vga_vSync         = out Bool ()
+  val vga_hSync, vga_vSync = out Bool ()
 }

@@ -16,14 +16,14 @@ case class PongTop(config: PongPipelineConfig, tech: Tech) extends Component {
   }
   val core = new ClockingArea(clocking.domain) {
     val pipeline = PongPipeline(config, tech, fast = true)
-    pipeline.io.buttons.up    := io.up
-    pipeline.io.buttons.down  := io.down
-    pipeline.io.buttons.left  := io.left
+    pipeline.io.buttons.up := io.up
+    pipeline.io.buttons.down := io.down
+    pipeline.io.buttons.left := io.left
     pipeline.io.buttons.right := io.right
-    io.vga_red                := pipeline.io.video.red
-    io.vga_green              := pipeline.io.video.green
-    io.vga_blue               := pipeline.io.video.blue
-    io.vga_hSync              := pipeline.io.video.hSync
-    io.vga_vSync              := pipeline.io.video.vSync
+    io.vga_red := pipeline.io.video.red
+    io.vga_green := pipeline.io.video.green
+    io.vga_blue := pipeline.io.video.blue
+    io.vga_hSync := pipeline.io.video.hSync
+    io.vga_vSync := pipeline.io.video.vSync
   }
 }

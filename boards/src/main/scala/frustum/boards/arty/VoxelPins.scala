@@ -12,11 +12,11 @@ import spinal.core._
   *   - `vga`: Digilent's VGA PMOD on JB and JC
   */
 case class VoxelPins() extends Bundle {
-  val clk, resetn                  = in Bool ()
-  val uart                         = in Bool ()
-  val pad_att, pad_sck, pad_cmd    = out Bool ()
-  val pad_dat                      = in Bool ()
-  val refused                      = out UInt (4 bits)
+  val clk, resetn = in Bool ()
+  val uart = in Bool ()
+  val pad_att, pad_sck, pad_cmd = out Bool ()
+  val pad_dat = in Bool ()
+  val refused = out UInt (4 bits)
   val vga_red, vga_green, vga_blue = out UInt (4 bits)
-  val vga_hSync, vga_vSync         = out Bool ()
+  val vga_hSync, vga_vSync = out Bool ()
 }

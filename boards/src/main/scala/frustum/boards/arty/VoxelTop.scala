@@ -13,16 +13,16 @@ case class VoxelTop(config: VoxelConsoleConfig, tech: Tech) extends Component {
 
   val core = new ClockingArea(ArtyDomain(io.clk, io.resetn, 100 MHz)) {
     val console = VoxelConsole(config, tech)
-    console.io.uart    := io.uart
+    console.io.uart := io.uart
     console.io.pad.dat := io.pad_dat
-    io.pad_att         := console.io.pad.att
-    io.pad_sck         := console.io.pad.sck
-    io.pad_cmd         := console.io.pad.cmd
-    io.refused         := console.io.refused.resized
-    io.vga_red         := console.io.video.red
-    io.vga_green       := console.io.video.green
-    io.vga_blue        := console.io.video.blue
-    io.vga_hSync       := console.io.video.hSync
-    io.vga_vSync       := console.io.video.vSync
+    io.pad_att := console.io.pad.att
+    io.pad_sck := console.io.pad.sck
+    io.pad_cmd := console.io.pad.cmd
+    io.refused := console.io.refused.resized
+    io.vga_red := console.io.video.red
+    io.vga_green := console.io.video.green
+    io.vga_blue := console.io.video.blue
+    io.vga_hSync := console.io.video.hSync
+    io.vga_vSync := console.io.video.vSync
   }
 }

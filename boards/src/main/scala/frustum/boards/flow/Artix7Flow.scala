@@ -5,14 +5,14 @@ import java.nio.file.{Files, Path, Paths}
 
 /** The flow for Artix-7, to FASM, the text that Project X-Ray's tools make a bitstream of. */
 final class Artix7Flow(tools: Artix7Tools) extends Flow {
-  protected def yosys: Tool       = tools.yosys
-  protected def nextpnr: Tool     = tools.nextpnr
-  protected def engine: String    = s"yosys ${yosys.version}, nextpnr-himbaechel-xilinx ${nextpnr.version}"
+  protected def yosys: Tool = tools.yosys
+  protected def nextpnr: Tool = tools.nextpnr
+  protected def engine: String = s"yosys ${yosys.version}, nextpnr-himbaechel-xilinx ${nextpnr.version}"
   protected def synthesis: String = "synth_xilinx -family xc7 -abc9"
 
   /** nextpnr takes a frequency for pads alone; the core's is that of `--freq`. */
   protected def writeConstraints(work: Path, top: BoardTop): Unit = {
-    val pins   = Files.readString(Paths.get(top.constraints))
+    val pins = Files.readString(Paths.get(top.constraints))
     val clocks =
       top.otherClocks.map(c => s"create_clock -period ${1000 / c.mhz} [get_ports ${c.net}]\n").mkString
     Files.writeString(work.resolve(s"${top.name}.xdc"), s"$pins\n$clocks")

@@ -11,8 +11,8 @@ object Artix7Tools {
       s"$what is not on PATH: install Debian's yosys, ${names.head} and ${names.head}-chipdb, of Debian 14 or later"
     )
     def newEnough(name: String, oldest: (Int, Int)) = s"$name ${oldest._1}.${oldest._2} or newer"
-    val yosys                                       = Tool.native("yosys", "-V", Ice40Tools.OldestYosys)
-    val nextpnr                                     = names.flatMap(Tool.native(_, "--version", Nextpnr.Oldest)).headOption
+    val yosys = Tool.native("yosys", "-V", Ice40Tools.OldestYosys)
+    val nextpnr = names.flatMap(Tool.native(_, "--version", Nextpnr.Oldest)).headOption
     Artix7Tools(
       yosys.getOrElse(missing(newEnough("yosys", Ice40Tools.OldestYosys))),
       nextpnr.getOrElse(missing(newEnough(names.head, Nextpnr.Oldest)))

@@ -21,7 +21,9 @@ final case class BitstreamReport(
     for ((net, (_, required)) <- byNet) {
       val wanted = top.clocks.find(_.net == net).map(_.mhz.toDouble)
       if (!wanted.exists(mhz => (mhz - required).abs < mhz / 1000))
-        throw FlowFault(s"nextpnr held the clock $net to $required MHz, the table of tops to ${wanted.getOrElse("nothing")}")
+        throw FlowFault(
+          s"nextpnr held the clock $net to $required MHz, the table of tops to ${wanted.getOrElse("nothing")}"
+        )
     }
     val core = byNet.get(top.core.net)
     core.getOrElse(throw FlowFault(s"nextpnr found no clock ${top.core.net}, only ${byNet.keys.mkString(", ")}"))._1
@@ -29,13 +31,15 @@ final case class BitstreamReport(
 
   /** Clocks that fall short in some seed, with what they reach. */
   def shortfalls: Seq[String] = for {
-    p                           <- placements
+    p <- placements
     (net, (achieved, required)) <- p.clocks.toSeq.sorted
     if achieved < required
   } yield f"seed ${p.seed}: $net $achieved%.2f of $required%.2f MHz"
 
   def meetsTarget: Boolean =
-    fits && shortfalls.isEmpty && coreMHz.min >= top.targetMHz.toDouble && icetimeMHz.forall(_ >= top.targetMHz.toDouble)
+    fits && shortfalls.isEmpty && coreMHz.min >= top.targetMHz.toDouble && icetimeMHz.forall(
+      _ >= top.targetMHz.toDouble
+    )
 
   /** The seed whose bitstream is kept: the one with most in hand. */
   def bestSeed: Int =
@@ -48,14 +52,15 @@ final case class BitstreamReport(
     val figures = ujson.Obj(
       "command" -> "bitstream",
       "version" -> version,
-      "seed"    -> placements.head.seed,
-      "engine"  -> engine,
-      "top"     -> top.name,
-      "part"    -> top.part.name,
-      "fits"    -> fits
+      "seed" -> placements.head.seed,
+      "engine" -> engine,
+      "top" -> top.name,
+      "part" -> top.part.name,
+      "fits" -> fits
     )
     for ((key, kinds) <- top.part.figures) figures(key) = kinds.map(worst).sum
-    if (fits) figures("clockMHz") = ujson.Obj("min" -> coreMHz.min, "max" -> coreMHz.max, "seeds" -> ujson.Arr.from(coreMHz))
+    if (fits)
+      figures("clockMHz") = ujson.Obj("min" -> coreMHz.min, "max" -> coreMHz.max, "seeds" -> ujson.Arr.from(coreMHz))
     if (fits && icetimeMHz.nonEmpty) figures("icetimeMHz") = icetimeMHz.min
     figures("targetMHz") = top.targetMHz.toDouble
     figures("meetsTarget") = meetsTarget

@@ -9,7 +9,7 @@ import java.nio.file.{Files, Path}
   * @param nextpnr the same
   */
 final class Ecp5Flow(protected val yosys: Tool, protected val nextpnr: Tool) extends Flow {
-  protected def engine: String    = s"yosys ${yosys.version}, nextpnr-ecp5 ${nextpnr.version}"
+  protected def engine: String = s"yosys ${yosys.version}, nextpnr-ecp5 ${nextpnr.version}"
   protected def synthesis: String = "synth_ecp5 -abc9 -no-rw-check"
 
   protected def writeConstraints(work: Path, top: BoardTop): Unit =
@@ -19,7 +19,16 @@ final class Ecp5Flow(protected val yosys: Tool, protected val nextpnr: Tool) ext
     )
 
   protected def placement(top: BoardTop, run: String): Seq[String] =
-    Seq("--85k", "--speed", "6", "--package", top.part.packageName, "--lpf", s"${top.name}.lpf", "--lpf-allow-unconstrained")
+    Seq(
+      "--85k",
+      "--speed",
+      "6",
+      "--package",
+      top.part.packageName,
+      "--lpf",
+      s"${top.name}.lpf",
+      "--lpf-allow-unconstrained"
+    )
 }
 
 object Ecp5Flow {

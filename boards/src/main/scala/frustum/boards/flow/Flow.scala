@@ -50,7 +50,7 @@ abstract class Flow {
     val results = seeds.zipWithIndex.map { case (seed, i) =>
       val placed = Nextpnr.place(nextpnr, work, top, seed, placer, placement(top, s"${top.name}.$seed"))
       val second = if (placed.fits) secondOpinion(work, top, seed) else None
-      val told   = placed.summary +: second.map(mhz => f"icetime $mhz%.2f MHz").toSeq
+      val told = placed.summary +: second.map(mhz => f"icetime $mhz%.2f MHz").toSeq
       say(s"seed $seed (${i + 1} of ${seeds.length}): ${told.mkString(", ")}")
       (placed, second)
     }

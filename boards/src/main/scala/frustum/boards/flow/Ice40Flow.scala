@@ -5,14 +5,14 @@ import java.nio.file.{Files, Path, Paths}
 
 /** The flow for the iCE40UP5K, to a bitstream. */
 final class Ice40Flow(tools: Ice40Tools) extends Flow {
-  protected def yosys: Tool    = tools.yosys
-  protected def nextpnr: Tool  = tools.nextpnr
+  protected def yosys: Tool = tools.yosys
+  protected def nextpnr: Tool = tools.nextpnr
   protected def engine: String = s"yosys ${yosys.version}, nextpnr-ice40 ${nextpnr.version}"
 
   protected def synthesis: String = Ice40Flow.Synthesis
 
   protected def writeConstraints(work: Path, top: BoardTop): Unit = {
-    val pins   = Files.readString(Paths.get(top.constraints))
+    val pins = Files.readString(Paths.get(top.constraints))
     val clocks = top.clocks.map(c => s"set_frequency ${c.net} ${c.mhz} # ${c.source}\n").mkString
     Files.writeString(work.resolve(s"${top.name}.pcf"), s"$pins\n$clocks")
   }

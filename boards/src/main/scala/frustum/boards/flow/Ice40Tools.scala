@@ -10,7 +10,7 @@ object Ice40Tools {
 
   /** @param say told what is being prepared */
   def find(say: String => Unit): Ice40Tools = {
-    val yosys   = Tool.native("yosys", "-V", OldestYosys)
+    val yosys = Tool.native("yosys", "-V", OldestYosys)
     val nextpnr = Tool.native("nextpnr-ice40", "--version", Nextpnr.Oldest)
     val icepack = Tool.onPath("icepack").headOption.map(path => Tool("icepack", "", Seq(path), Map()))
     Ice40Tools(

@@ -19,5 +19,7 @@ object Icetime {
   }
 
   def estimate(log: String): Option[Double] =
-    """(?:Total path delay|Timing estimate): [\d.]+ ns \(([\d.]+) MHz\)""".r.findFirstMatchIn(log).map(_.group(1).toDouble)
+    """(?:Total path delay|Timing estimate): [\d.]+ ns \(([\d.]+) MHz\)""".r.findFirstMatchIn(
+      log
+    ).map(_.group(1).toDouble)
 }

@@ -18,7 +18,8 @@ final case class Placement(
 ) {
   def summary: String =
     if (!fits) {
-      val over = used.toSeq.sorted.collect { case (kind, n) if n > available(kind) => s"$n of ${available(kind)} $kind" }
+      val over =
+        used.toSeq.sorted.collect { case (kind, n) if n > available(kind) => s"$n of ${available(kind)} $kind" }
       if (over.isEmpty) "does not fit" else s"does not fit: ${over.mkString(", ")}"
     } else clocks.toSeq.sorted.map { case (net, (got, need)) => f"$net $got%.2f MHz (needs $need%.2f)" }.mkString(", ")
 }
@@ -32,8 +33,8 @@ object Nextpnr {
   /** Its placers. `Static` packs designs with much block RAM far better, see docs/flashing.md, but there are designs, small ones among them, with
     * which it finds no end. `Heap` is nextpnr's own choice.
     */
-  val Static  = "static"
-  val Heap    = "heap"
+  val Static = "static"
+  val Heap = "heap"
   val Placers = Seq(Static, Heap)
 
   /** After which a placement is given up. */
@@ -42,7 +43,7 @@ object Nextpnr {
   /** @param placer one of [[Placers]]
     * @param part   arguments that tell the device, its constraints and what to write */
   def place(tool: Tool, directory: Path, top: BoardTop, seed: Int, placer: String, part: Seq[String]): Placement = {
-    val run    = s"${top.name}.$seed"
+    val run = s"${top.name}.$seed"
     val report = directory.resolve(s"$run.report.json")
     Files.deleteIfExists(report)
     val code = tool.runWithin(Patience)(
@@ -53,12 +54,13 @@ object Nextpnr {
     ).getOrElse(throw FlowFault(
       s"nextpnr with --placer $placer has not placed ${top.name} within $Patience; give the other one of ${Placers.mkString(", ")}"
     ))
-    val log               = directory.resolve(s"$run.nextpnr.log")
-    val said              = Files.readString(log)
+    val log = directory.resolve(s"$run.nextpnr.log")
+    val said = Files.readString(log)
     val (used, available) = utilisation(said)
     if (code != 0 && !tooBig(said))
       throw FlowFault(s"nextpnr failed on ${top.name}: ${Tool.faults(log)} ($log)")
-    val clocks = if (code == 0) clockFigures(ujson.read(Files.readString(report))) else Map.empty[String, (Double, Double)]
+    val clocks =
+      if (code == 0) clockFigures(ujson.read(Files.readString(report))) else Map.empty[String, (Double, Double)]
     Placement(seed, code == 0, used, available, clocks)
   }
 
@@ -71,7 +73,7 @@ object Nextpnr {
 
   /** The table "Device utilisation" of nextpnr's log, which is there even when the design does not fit. */
   def utilisation(log: String): (Map[String, Int], Map[String, Int]) = {
-    val row  = """Info:\s+([A-Z0-9_]+):\s+(\d+)/\s*(\d+)\s+\d+%""".r
+    val row = """Info:\s+([A-Z0-9_]+):\s+(\d+)/\s*(\d+)\s+\d+%""".r
     val rows = row.findAllMatchIn(log).toSeq.map(m => (m.group(1), m.group(2).toInt, m.group(3).toInt))
     (rows.map(r => r._1 -> r._2).toMap, rows.map(r => r._1 -> r._3).toMap)
   }

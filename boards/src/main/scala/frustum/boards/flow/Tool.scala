@@ -12,7 +12,8 @@ import scala.math.Ordering.Implicits._
 final case class Tool(name: String, version: String, command: Seq[String], environment: Map[String, String]) {
 
   /** Runs in `directory`, everything it prints going to `log` there; gives its exit code. */
-  def run(directory: Path, log: String, arguments: Seq[String]): Int = runWithin(Duration.Inf)(directory, log, arguments).get
+  def run(directory: Path, log: String, arguments: Seq[String]): Int =
+    runWithin(Duration.Inf)(directory, log, arguments).get
 
   /** The same; None, and the program is stopped, when it has not ended within a limit. */
   def runWithin(limit: Duration)(directory: Path, log: String, arguments: Seq[String]): Option[Int] = {
@@ -22,7 +23,7 @@ final case class Tool(name: String, version: String, command: Seq[String], envir
       .redirectInput(Redirect.from(new File("/dev/null")))
       .redirectOutput(directory.resolve(log).toFile)
     environment.foreach { case (key, value) => builder.environment.put(key, value) }
-    val process      = builder.start()
+    val process = builder.start()
     def stop(): Unit = {
       process.descendants.forEach(child => child.destroy())
       process.destroy()
@@ -77,7 +78,7 @@ object Tool {
 
   /** The lines of a log that say what went wrong, or its last ones. */
   def faults(log: Path): String = {
-    val lines  = Files.readAllLines(log).asScala.toSeq.filter(_.nonEmpty)
+    val lines = Files.readAllLines(log).asScala.toSeq.filter(_.nonEmpty)
     val errors = lines.filter(_.startsWith("ERROR"))
     (if (errors.nonEmpty) errors.take(1) else lines.takeRight(1)).mkString("; ")
   }

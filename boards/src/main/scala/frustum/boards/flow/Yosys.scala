@@ -7,7 +7,7 @@ object Yosys {
 
   /** @param synthesis the part's pass with its options, the top module among them */
   def synthesise(tool: Tool, directory: Path, name: String, synthesis: String): Unit = {
-    val log    = s"$name.yosys.log"
+    val log = s"$name.yosys.log"
     val script = s"read_verilog $name.v; $synthesis -json $name.netlist.json"
     if (tool.run(directory, log, Seq("-p", script)) != 0) {
       throw FlowFault(s"yosys failed on $name.v: ${Tool.faults(directory.resolve(log))} (${directory.resolve(log)})")
@@ -21,10 +21,10 @@ object Yosys {
     */
   def deadMultipliers(netlist: ujson.Value): Seq[String] =
     for {
-      (_, module)  <- netlist("modules").obj.toSeq
+      (_, module) <- netlist("modules").obj.toSeq
       (name, cell) <- module.obj.get("cells").map(_.obj.toSeq).getOrElse(Seq())
       if cell("type").str == "SB_MAC16"
-      pins    = cell("connections").obj
+      pins = cell("connections").obj
       clocked = pins.get("CLK").exists(_.arr.exists(_.numOpt.isDefined))
       enabled = !pins.get("CE").exists(_.arr.exists(_.strOpt.contains("0")))
       if !clocked || !enabled

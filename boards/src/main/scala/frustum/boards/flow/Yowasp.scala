@@ -13,7 +13,7 @@ object Yowasp {
   /** What `project/yowasp-ecp5.txt` lists: nextpnr-ecp5, some 170 MB. */
   val Ecp5 = "yowasp-ecp5.txt"
 
-  private val home     = Paths.get(".cache", "yowasp").toAbsolutePath
+  private val home = Paths.get(".cache", "yowasp").toAbsolutePath
   private val compiled = Map("YOWASP_CACHE_DIR" -> home.resolve("compiled").toString)
 
   /** The tool `yowasp-<name>`.
@@ -34,14 +34,19 @@ object Yowasp {
     */
   private def install(list: String, say: String => Unit): Unit = {
     val requirements = Paths.get("project", list)
-    val stamp        = home.resolve(s"installed-$list")
-    val wanted       = Files.readString(requirements)
+    val stamp = home.resolve(s"installed-$list")
+    val wanted = Files.readString(requirements)
     if (!Files.exists(stamp) || Files.readString(stamp) != wanted) {
       val packages = wanted.linesIterator.filterNot(_.startsWith("#")).map(_.takeWhile(_ != '=')).mkString(", ")
       say(s"installing $packages from PyPI into .cache/yowasp (once, about a minute)")
       Files.createDirectories(home)
       if (list == Ice40)
-        step("venv.log", packages, "install the package python3-venv", Seq("python3", "-m", "venv", "--clear", s"$home"))
+        step(
+          "venv.log",
+          packages,
+          "install the package python3-venv",
+          Seq("python3", "-m", "venv", "--clear", s"$home")
+        )
       step(
         "pip.log",
         packages,
@@ -54,7 +59,7 @@ object Yowasp {
 
   private def step(log: String, packages: String, remedy: String, command: Seq[String]): Unit = {
     val directory: Path = Files.createDirectories(home.resolveSibling("log"))
-    val done            =
+    val done =
       try Tool(command.head, "", command, Map()).run(directory, log, Seq()) == 0
       catch { case _: java.io.IOException => false }
     if (!done) throw MissingTool(s"cannot install $packages (.cache/log/$log): $remedy")

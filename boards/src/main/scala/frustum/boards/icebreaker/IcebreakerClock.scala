@@ -15,10 +15,10 @@ import spinal.lib.ResetCtrl
 class IcebreakerClock(clockPin: Bool, run: Bool, coreMHz: BigDecimal, tech: Tech) extends Area {
   val pll = Ice40Pll(Ice40PllSettings(BigDecimal(12), coreMHz), tech)
   pll.io.clockIn := clockPin
-  pll.io.enable  := True
+  pll.io.enable := True
 
   private val unreset = ClockDomain(pll.io.clockOut, config = ClockDomainConfig(resetKind = BOOT))
-  val reset           = ResetCtrl.asyncAssertSyncDeassert(
+  val reset = ResetCtrl.asyncAssertSyncDeassert(
     input = !(pll.io.locked && run),
     clockDomain = unreset,
     inputPolarity = HIGH,

@@ -11,8 +11,8 @@ import spinal.core._
   *   - `dvi`: 12-bit DVI PMOD; its clock rises in the middle of a pixel
   */
 case class PongPins() extends Bundle {
-  val clk                                   = in Bool ()
-  val up, left, right, down_n               = in Bool ()
-  val dvi_red, dvi_green, dvi_blue          = out UInt (4 bits)
+  val clk = in Bool ()
+  val up, left, right, down_n = in Bool ()
+  val dvi_red, dvi_green, dvi_blue = out UInt (4 bits)
   val dvi_hSync, dvi_vSync, dvi_de, dvi_clk = out Bool ()
 }

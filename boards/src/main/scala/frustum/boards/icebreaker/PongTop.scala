@@ -13,19 +13,19 @@ case class PongTop(config: PongPipelineConfig, pixelMHz: BigDecimal, tech: Tech)
   noIoPrefix()
 
   val clocking = new IcebreakerClock(io.clk, True, pixelMHz, tech)
-  val core     = new ClockingArea(clocking.domain) {
+  val core = new ClockingArea(clocking.domain) {
     val pipeline = PongPipeline(config, tech)
-    val clock    = ClockOutput(tech)
-    pipeline.io.buttons.up    := io.up
-    pipeline.io.buttons.down  := !io.down_n
-    pipeline.io.buttons.left  := io.left
+    val clock = ClockOutput(tech)
+    pipeline.io.buttons.up := io.up
+    pipeline.io.buttons.down := !io.down_n
+    pipeline.io.buttons.left := io.left
     pipeline.io.buttons.right := io.right
-    io.dvi_red                := pipeline.io.video.red
-    io.dvi_green              := pipeline.io.video.green
-    io.dvi_blue               := pipeline.io.video.blue
-    io.dvi_hSync              := pipeline.io.video.hSync
-    io.dvi_vSync              := pipeline.io.video.vSync
-    io.dvi_de                 := pipeline.io.video.active
-    io.dvi_clk                := clock.io.pin
+    io.dvi_red := pipeline.io.video.red
+    io.dvi_green := pipeline.io.video.green
+    io.dvi_blue := pipeline.io.video.blue
+    io.dvi_hSync := pipeline.io.video.hSync
+    io.dvi_vSync := pipeline.io.video.vSync
+    io.dvi_de := pipeline.io.video.active
+    io.dvi_clk := clock.io.pin
   }
 }

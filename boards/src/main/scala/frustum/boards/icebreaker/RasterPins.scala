@@ -14,10 +14,10 @@ import spinal.lib._
   *   - `tftMux`: high lets the host drive the display itself, with its `sck`, `mosi`, `tftCs` and `tftDc`
   */
 case class RasterPins() extends Bundle {
-  val clk                  = in Bool ()
-  val resetn               = in Bool ()
-  val host                 = slave(CommandPins())
-  val cts                  = out Bool ()
+  val clk = in Bool ()
+  val resetn = in Bool ()
+  val host = slave(CommandPins())
+  val cts = out Bool ()
   val tftMux, tftCs, tftDc = in Bool ()
-  val display              = master(DisplayPins())
+  val display = master(DisplayPins())
 }

@@ -13,9 +13,9 @@ import spinal.lib._
   *   - `display`: on PMOD 1B, as of `icebreaker-raster`
   */
 case class VoxelPins() extends Bundle {
-  val clk       = in Bool ()
-  val resetn    = in Bool ()
-  val uart      = in Bool ()
+  val clk = in Bool ()
+  val resetn = in Bool ()
+  val uart = in Bool ()
   val refused_n = out Bool ()
-  val display   = master(DisplayPins())
+  val display = master(DisplayPins())
 }

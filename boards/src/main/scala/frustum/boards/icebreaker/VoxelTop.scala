@@ -25,7 +25,7 @@ case class VoxelTop(
   noIoPrefix()
 
   val clocking = new IcebreakerClock(io.clk, io.resetn, coreMHz, tech)
-  val core     = new ClockingArea(clocking.domain) {
+  val core = new ClockingArea(clocking.domain) {
     val console = CompactVoxelConsole(
       config,
       Blocks.assets,
@@ -36,7 +36,7 @@ case class VoxelTop(
       fast = fast
     )
     console.io.uart := io.uart
-    io.refused_n    := RegNext(console.io.refused === 0, True)
-    io.display      := console.io.display
+    io.refused_n := RegNext(console.io.refused === 0, True)
+    io.display := console.io.display
   }
 }

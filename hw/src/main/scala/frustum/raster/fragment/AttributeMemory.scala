@@ -14,12 +14,12 @@ import spinal.lib._
   */
 case class AttributeMemory(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val push       = slave(Flow(InterpolatedFragment(config)))
-    val fetch      = in Bool ()
+    val push = slave(Flow(InterpolatedFragment(config)))
+    val fetch = in Bool ()
     val attributes = out(FragmentAttributes(config))
     val fetchDepth = in Bool ()
-    val z          = out UInt (16 bits)
-    val empty      = out Bool () // no depth waits
+    val z = out UInt (16 bits)
+    val empty = out Bool () // no depth waits
   }
 
   private def pointer(step: Bool): UInt = {
@@ -27,8 +27,8 @@ case class AttributeMemory(config: RasterConfig) extends Component {
     when(step) { at := at + 1 }
     at
   }
-  val written      = pointer(io.push.valid)
-  val fetched      = pointer(io.fetch)
+  val written = pointer(io.push.valid)
+  val fetched = pointer(io.fetch)
   val depthFetched = pointer(io.fetchDepth)
 
   // Colours that make no difference are not kept.
@@ -36,7 +36,7 @@ case class AttributeMemory(config: RasterConfig) extends Component {
     Seq(PlaneR -> of.r, PlaneG -> of.g, PlaneB -> of.b, PlaneA -> of.a).collect { case (p, c) if wanted(p) => c }
   private def wanted(plane: Int) = config.fixed.planes.contains(plane)
 
-  val pushed     = FragmentAttributes(config, io.push.payload)
+  val pushed = FragmentAttributes(config, io.push.payload)
   val attributes = Mem(Bits(kept(pushed).map(widthOf(_)).sum bits), AttributeMemory.Words)
   attributes.write(written, Cat(kept(pushed)), io.push.valid)
   private val read = attributes.readSync(fetched, io.fetch, readUnderWrite = dontCare)

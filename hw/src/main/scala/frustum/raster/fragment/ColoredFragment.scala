@@ -7,12 +7,12 @@ import spinal.core._
   * is no pixel but the mark that ends the tile, and passes every test.
   */
 case class ColoredFragment(config: RasterConfig) extends Bundle {
-  val x       = UInt(config.tileLog2Width bits)
-  val y       = UInt(config.tileLog2Height bits)
-  val r       = UInt(5 bits)
-  val g       = UInt(6 bits)
-  val b       = UInt(5 bits)
-  val a       = UInt(5 bits)
+  val x = UInt(config.tileLog2Width bits)
+  val y = UInt(config.tileLog2Height bits)
+  val r = UInt(5 bits)
+  val g = UInt(6 bits)
+  val b = UInt(5 bits)
+  val a = UInt(5 bits)
   val tileEnd = Bool()
 
   /** Word of the tile buffer. */

@@ -19,28 +19,28 @@ import spinal.lib._
   */
 case class Combine(config: RasterConfig, tech: Tech) extends Component {
   val io = new Bundle {
-    val up    = slave(Stream(TexturedFragment(config)))
+    val up = slave(Stream(TexturedFragment(config)))
     val state = in(RenderStateWord())
-    val down  = master(Stream(ColoredFragment(config)))
+    val down = master(Stream(ColoredFragment(config)))
   }
 
   case class Operands() extends Bundle {
-    val x          = UInt(config.tileLog2Width bits)
-    val y          = UInt(config.tileLog2Height bits)
-    val texel      = Texel()
+    val x = UInt(config.tileLog2Width bits)
+    val y = UInt(config.tileLog2Height bits)
+    val texel = Texel()
     val r, g, b, a = UInt(9 bits) // factors, 0..256
-    val tileEnd    = Bool()
+    val tileEnd = Bool()
   }
 
   val colorOnly = io.state.combine === contract.raster.Combine.ColorOnly.code
-  val replace   = io.state.combine === contract.raster.Combine.Replace.code
+  val replace = io.state.combine === contract.raster.Combine.Replace.code
 
   lazy val operands = io.up
     .translateWith {
       val next = Operands()
       val from = io.up.payload
-      next.x       := from.attributes.x
-      next.y       := from.attributes.y
+      next.x := from.attributes.x
+      next.y := from.attributes.y
       next.tileEnd := from.attributes.tileEnd
       next.texel.assignFromBits(from.texel.asBits | colorOnly #* widthOf(from.texel))
       next.r := factor(from.attributes.r, replace)
@@ -55,12 +55,12 @@ case class Combine(config: RasterConfig, tech: Tech) extends Component {
     .translateWith {
       val next = ColoredFragment(config)
       val from = operands.payload
-      next.x       := from.x
-      next.y       := from.y
-      next.r       := product(from.texel.r, from.r)
-      next.g       := product(from.texel.g, from.g)
-      next.b       := product(from.texel.b, from.b)
-      next.a       := product(from.texel.a, from.a)
+      next.x := from.x
+      next.y := from.y
+      next.r := product(from.texel.r, from.r)
+      next.g := product(from.texel.g, from.g)
+      next.b := product(from.texel.b, from.b)
+      next.a := product(from.texel.a, from.a)
       next.tileEnd := from.tileEnd
       next
     }
@@ -76,21 +76,21 @@ case class Combine(config: RasterConfig, tech: Tech) extends Component {
     */
   def product(t: UInt, factor: UInt): UInt = {
     def rows(bits: Seq[Bool], start: Int): (UInt, Seq[Bool]) = {
-      var sum     = U(start, 9 bits)
+      var sum = U(start, 9 bits)
       var dropped = Seq.empty[Bool]
       for (bit <- bits) {
         val row = ConditionalAdder(9, tech)
         row.io.condition := bit
-        row.io.a         := sum
-        row.io.b         := factor
+        row.io.a := sum
+        row.io.b := factor
         dropped = dropped :+ row.io.result.lsb
         sum = row.io.result |>> 1
       }
       (sum, dropped)
     }
-    val (lower, _)        = rows(t.asBools.take(3).toSeq, 128)
+    val (lower, _) = rows(t.asBools.take(3).toSeq, 128)
     val (upper, fraction) = rows(t.asBools.drop(3).toSeq, 0)
-    val exact             = upper ## Cat(fraction) // in units of 2^3, as lower
+    val exact = upper ## Cat(fraction) // in units of 2^3, as lower
     (exact.asUInt + lower).drop(5).asUInt.resize(widthOf(t))
   }
 
@@ -98,8 +98,8 @@ case class Combine(config: RasterConfig, tech: Tech) extends Component {
   def texelAlone: Stream[ColoredFragment] = io.up.translateWith {
     val next = ColoredFragment(config)
     next.assignSomeByName(io.up.texel)
-    next.x       := io.up.attributes.x
-    next.y       := io.up.attributes.y
+    next.x := io.up.attributes.x
+    next.y := io.up.attributes.y
     next.tileEnd := io.up.attributes.tileEnd
     next
   }

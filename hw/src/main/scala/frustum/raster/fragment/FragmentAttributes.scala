@@ -9,10 +9,10 @@ import spinal.core._
   * [[InterpolatedFragment]] has it: set below 0, clear above 255.
   */
 case class FragmentAttributes(config: RasterConfig) extends Bundle {
-  val x          = UInt(config.tileLog2Width bits)
-  val y          = UInt(config.tileLog2Height bits)
+  val x = UInt(config.tileLog2Width bits)
+  val y = UInt(config.tileLog2Height bits)
   val r, g, b, a = UInt(9 bits)
-  val tileEnd    = Bool()
+  val tileEnd = Bool()
 }
 
 object FragmentAttributes {
@@ -29,7 +29,7 @@ object FragmentAttributes {
         attributes.b -> from.b,
         attributes.a -> from.a
       )
-    ) to               := value.takeHigh(9).asUInt
+    ) to := value.takeHigh(9).asUInt
     attributes.tileEnd := from.tileEnd
     attributes
   }

@@ -20,23 +20,23 @@ import spinal.lib._
   */
 case class Interlock(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val up    = slave(Stream(ColoredFragment(config)))
+    val up = slave(Stream(ColoredFragment(config)))
     val state = in(RenderStateWord())
     val clear = slave(TileClear(config))
-    val down  = master(Flow(ColoredFragment(config)))
+    val down = master(Flow(ColoredFragment(config)))
   }
   private def place(f: ColoredFragment): Bits = f.y.take(2) ## f.x.take(3)
 
-  val held     = io.up.m2sPipe(collapsBubble = false)
-  val stalled  = RegInit(False)
-  val again    = RegInit(False) // a second clock to wait
+  val held = io.up.m2sPipe(collapsBubble = false)
+  val stalled = RegInit(False)
+  val again = RegInit(False) // a second clock to wait
   val resolves = RegInit(False) // a tile has ended and is not resolved yet
   held.ready := !stalled
 
-  val before   = RegNext(held.fire) init False
+  val before = RegNext(held.fire) init False
   val atBefore = RegNext(place(held.payload))
-  val meets1   = held.valid && place(io.up.payload) === place(held.payload)
-  val meets2   = before && place(io.up.payload) === atBefore
+  val meets1 = held.valid && place(io.up.payload) === place(held.payload)
+  val meets2 = before && place(io.up.payload) === atBefore
   // Whoever never reads meets nobody.
   val meets = Bool(!config.fixed.neverReads) && io.up.valid && !stalled && Mux(io.state.blend, meets1 || meets2, meets1)
   again := Bool(!config.fixed.neverBlends) && io.up.valid && !stalled && meets1 && io.state.blend
@@ -44,8 +44,8 @@ case class Interlock(config: RasterConfig) extends Component {
   when(io.clear.done) { resolves := False }
   when(held.fire && held.tileEnd) { resolves := True }
   val entersEnd = !stalled && io.up.valid && io.up.tileEnd
-  val staysEnd  = stalled && held.valid && held.tileEnd
-  val endWaits  = entersEnd && (resolves || held.valid && held.tileEnd) || staysEnd && resolves
+  val staysEnd = stalled && held.valid && held.tileEnd
+  val endWaits = entersEnd && (resolves || held.valid && held.tileEnd) || staysEnd && resolves
   stalled := meets || again || endWaits
   assert(!(io.clear.all && held.valid), "a fragment meets the clearing of both banks")
 

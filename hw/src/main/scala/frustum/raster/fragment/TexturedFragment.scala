@@ -7,5 +7,5 @@ import spinal.core._
 /** A fragment with the texel at its coordinate. */
 case class TexturedFragment(config: RasterConfig) extends Bundle {
   val attributes = FragmentAttributes(config)
-  val texel      = Texel()
+  val texel = Texel()
 }

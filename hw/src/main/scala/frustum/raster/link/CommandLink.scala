@@ -12,16 +12,16 @@ import spinal.lib._
   */
 case class CommandLink(config: RasterConfig, depth: Int = 256, dropWhenFull: Boolean = true) extends Component {
   val io = new Bundle {
-    val bytes   = slave(Stream(Bits(8 bits)))
-    val store   = master(StoreBus(StoreLayout(config)))
-    val texels  = master(Stream(TexelWrite()))
-    val job     = master(Stream(FrameJob(config)))
+    val bytes = slave(Stream(Bits(8 bits)))
+    val store = master(StoreBus(StoreLayout(config)))
+    val texels = master(Stream(TexelWrite()))
+    val job = master(Stream(FrameJob(config)))
     val jobDone = in Bool ()
     val drawing = out Bool ()
-    val status  = out(LinkStatus())
+    val status = out(LinkStatus())
   }
 
-  val framer  = Framer(depth, dropWhenFull)
+  val framer = Framer(depth, dropWhenFull)
   val decoder = CommandDecoder(config)
   framer.io.bytes << io.bytes
   decoder.io.words << framer.io.words
@@ -29,28 +29,28 @@ case class CommandLink(config: RasterConfig, depth: Int = 256, dropWhenFull: Boo
   decoder.io.texels >> io.texels
   decoder.io.job >> io.job
   decoder.io.jobDone := io.jobDone
-  io.drawing         := decoder.io.drawing
+  io.drawing := decoder.io.drawing
 
   def counter(event: Bool): UInt = {
     val count = RegInit(U(0, LinkStatus.CountBits bits))
     when(event)(count := count + 1)
     count
   }
-  val events                        = DecoderEvents() // a clock late, so that counting is no part of deciding
+  val events = DecoderEvents() // a clock late, so that counting is no part of deciding
   def pulses(events: DecoderEvents) = events.elements.map { case (_, pulse: Bool) => pulse }
   for ((late, pulse) <- pulses(events).zip(pulses(decoder.io.events))) late := RegNext(pulse) init False
   // Two units drop commands; where both do so in one clock, the decoder's is counted later. It has none in between.
   val refused = RegInit(False) setWhen events.refused clearWhen (!framer.io.dropped && !events.refused)
   val dropped = framer.io.dropped || refused
 
-  io.status.busy             := decoder.io.drawing
-  io.status.cts              := framer.io.room
-  io.status.accepted         := counter(events.accepted)
-  io.status.dropped          := counter(dropped)
-  io.status.verticesRefused  := counter(events.vertexRefused)
+  io.status.busy := decoder.io.drawing
+  io.status.cts := framer.io.room
+  io.status.accepted := counter(events.accepted)
+  io.status.dropped := counter(dropped)
+  io.status.verticesRefused := counter(events.vertexRefused)
   io.status.trianglesRefused := counter(events.triangleRefused)
-  io.status.incomplete       := counter(events.incomplete)
-  io.status.drawn            := counter(io.jobDone)
-  io.status.error            := RegInit(False) setWhen
+  io.status.incomplete := counter(events.incomplete)
+  io.status.drawn := counter(io.jobDone)
+  io.status.error := RegInit(False) setWhen
     (dropped || events.vertexRefused || events.triangleRefused || events.incomplete)
 }

@@ -20,10 +20,10 @@ import spinal.lib._
 case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Component {
   require(depth >= 256, s"Framer: depth $depth cannot hold a command of ${Command.MaxWords} words beside the margin")
   val io = new Bundle {
-    val bytes   = slave(Stream(Bits(8 bits)))
-    val words   = master(Stream(Bits(16 bits)))
+    val bytes = slave(Stream(Bits(8 bits)))
+    val words = master(Stream(Bits(16 bits)))
     val dropped = out Bool ()
-    val room    = out Bool () // low: at most Framer.BytesAfterRoom more bytes are sure to be kept
+    val room = out Bool () // low: at most Framer.BytesAfterRoom more bytes are sure to be kept
   }
   import FramerState._
 
@@ -31,22 +31,22 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
   io.words << fifo.io.pop
   io.room := fifo.io.room
 
-  val state   = RegInit(stray)
+  val state = RegInit(stray)
   val escaped = RegInit(False)
-  val second  = Reg(Bool())       // the byte in hand is the second of its word
-  val high    = Reg(Bits(8 bits))
-  val low     = Reg(Bits(8 bits)) // the byte before
-  val left    = Reg(UInt(7 bits)) // payload words still to come
-  val crc     = Reg(Bits(16 bits))
+  val second = Reg(Bool()) // the byte in hand is the second of its word
+  val high = Reg(Bits(8 bits))
+  val low = Reg(Bits(8 bits)) // the byte before
+  val left = Reg(UInt(7 bits)) // payload words still to come
+  val crc = Reg(Bits(16 bits))
 
   // Flags and unescaped bytes, a clock later.
-  val isFlag   = io.bytes.payload === Command.Flag
+  val isFlag = io.bytes.payload === Command.Flag
   val isEscape = io.bytes.payload === Command.Escape && !escaped
-  val plain    = io.bytes.payload ^ (escaped.asBits.resize(8) |<< log2Up(Command.EscapeXor))
+  val plain = io.bytes.payload ^ (escaped.asBits.resize(8) |<< log2Up(Command.EscapeXor))
   when(io.bytes.fire)(escaped := isEscape)
-  val symbols  = io.bytes.throwWhen(isEscape).translateWith(isFlag ## plain).m2sPipe()
+  val symbols = io.bytes.throwWhen(isEscape).translateWith(isFlag ## plain).m2sPipe()
   // Opcode and length are looked at for two clocks, and then judged.
-  val fits   = RegNext(Command.all.map(c => RegNext(high === c.opcode) && RegNext(Framer.lengthAccepted(c, low))).orR)
+  val fits = RegNext(Command.all.map(c => RegNext(high === c.opcode) && RegNext(Framer.lengthAccepted(c, low))).orR)
   val inWord = state === stray || state === skip || state === header || state === body
   symbols.ready := inWord && (if (dropWhenFull) True else fifo.io.room)
 
@@ -65,7 +65,7 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
   fifo.io.rollback := io.dropped // no word is pushed before the second byte from here
 
   when(data) {
-    crc    := Framer.crcNext(crc, byte)
+    crc := Framer.crcNext(crc, byte)
     second := !second
     when(!second)(high := byte)
   }
@@ -74,7 +74,7 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
       when(data) { drop := True; state := skip }
     }
     is(header)(when(data && second)(state := look))
-    is(look)(state   := lookOn)
+    is(look)(state := lookOn)
     is(lookOn)(state := judge)
     is(judge) {
       left := low.asUInt.resized
@@ -92,10 +92,10 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
   }
   when(fifo.io.push.valid && fifo.io.full) { drop := True; state := skip }
   when(flag) {
-    drop   := state === body || (state === header && second)
-    state  := header
+    drop := state === body || (state === header && second)
+    state := header
     second := False
-    crc    := B"xFFFF"
+    crc := B"xFFFF"
   }
 }
 
@@ -124,7 +124,7 @@ object Framer {
   /** The command may have this length. Progressions by a power of two take a comparison, others a list. */
   def lengthAccepted(command: Command, length: Bits): Bool = {
     val lengths = CommandShape.lengths(command)
-    val step    = if (lengths.size > 1) lengths(1) - lengths.head else 0
+    val step = if (lengths.size > 1) lengths(1) - lengths.head else 0
     if (lengths.size > 2 && isPow2(step)) {
       val aligned = if (step == 1) True else length(log2Up(step) - 1 downto 0) === lengths.head % step
       aligned && length.asUInt >= lengths.head && length.asUInt <= Command.MaxWords

@@ -20,7 +20,7 @@ import spinal.core._
   * In a longer frame of chip select bytes 1 to 8 repeat.
   */
 case class LinkStatus() extends Bundle {
-  val busy, cts, error                                                        = Bool()
+  val busy, cts, error = Bool()
   val accepted, dropped, verticesRefused, trianglesRefused, incomplete, drawn = UInt(LinkStatus.CountBits bits)
 
   /** Byte `at` of the table, modulo 8; byte 1 is the slave's own, so anything may stand in for it. */
@@ -33,8 +33,8 @@ case class LinkStatus() extends Bundle {
 }
 
 object LinkStatus {
-  val Magic     = 0xf5
-  val Version   = 2
-  val Bytes     = 9
+  val Magic = 0xf5
+  val Version = 2
+  val Bytes = 9
   val CountBits = 8
 }

@@ -14,33 +14,33 @@ import spinal.lib._
   */
 case class TriangleBox(config: RasterConfig) extends Component {
   val pixelBits = log2Up(config.width.max(config.height) + 1)
-  val io        = new Bundle {
-    val clear      = in Bool ()
-    val vertical   = in Bool ()                                         // the axis, steady from `clear` on
+  val io = new Bundle {
+    val clear = in Bool ()
+    val vertical = in Bool () // the axis, steady from `clear` on
     val coordinate = slave(Flow(SInt(config.ranges.positionBits bits))) // 1/16 pixel
     val firstX, lastX, firstY, lastY = out UInt (5 bits) // of the axis in hand; the other pair means nothing
-    val empty                        = out Bool ()       // no pixel centre on the screen
+    val empty = out Bool () // no pixel centre on the screen
   }
 
   val limit = Mux(io.vertical, U(config.height, pixelBits bits), U(config.width, pixelBits bits))
 
-  val taken      = RegNext(io.coordinate.valid) init False
+  val taken = RegNext(io.coordinate.valid) init False
   val coordinate = RegNextWhen(io.coordinate.payload, io.coordinate.valid)
-  val pixel      = coordinate(config.ranges.positionBits - 2 downto 4).asUInt
-  val fraction   = coordinate(3 downto 0).asUInt
-  val left       = coordinate.sign
-  val right      = pixel >= limit
+  val pixel = coordinate(config.ranges.positionBits - 2 downto 4).asUInt
+  val fraction = coordinate(3 downto 0).asUInt
+  val left = coordinate.sign
+  val right = pixel >= limit
 
   // A coordinate's pixel and whether it lies on its centre; between coordinates, the least one's and true.
-  val clipped  = RegNext(taken) init False
+  val clipped = RegNext(taken) init False
   val position = Reg(UInt(pixelBits bits))
   val onCentre = Reg(Bool())
-  val least    = Reg(UInt(pixelBits bits))
+  val least = Reg(UInt(pixelBits bits))
   val greatest = Reg(UInt(pixelBits + 1 bits)) // and whether on the centre
   position := (pixel +^ (fraction > 8).asUInt).resize(pixelBits)
   onCentre := fraction === 8 && !left && !right
   when(right)(position := limit)
-  when(left)(position  := 0)
+  when(left)(position := 0)
   when(!taken) {
     position := least
     onCentre := True
@@ -48,16 +48,16 @@ case class TriangleBox(config: RasterConfig) extends Component {
 
   val beyond = (position @@ onCentre.asUInt) > greatest
   when(clipped && position < least)(least := position)
-  when(clipped && beyond)(greatest        := position @@ onCentre.asUInt)
+  when(clipped && beyond)(greatest := position @@ onCentre.asUInt)
   when(io.clear) {
     least.setAll()
     greatest.clearAll()
   }
 
   val last = (greatest - 1) >> 1
-  io.empty  := RegNext(beyond)
+  io.empty := RegNext(beyond)
   io.firstX := (least >> config.tileLog2Width).resized
-  io.lastX  := (last >> config.tileLog2Width).resized
+  io.lastX := (last >> config.tileLog2Width).resized
   io.firstY := (least >> config.tileLog2Height).resized
-  io.lastY  := (last >> config.tileLog2Height).resized
+  io.lastY := (last >> config.tileLog2Height).resized
 }

@@ -9,8 +9,8 @@ import spinal.core._
   */
 case class DrawToken(config: RasterConfig, slots: Int) extends Bundle {
   val tileEnd = Bool()
-  val state   = UInt(4 bits) // render state index
-  val slot    = UInt(log2Up(slots) bits)
-  val parity  = Bool()
-  val x       = UInt(config.tileLog2Width bits)
+  val state = UInt(4 bits) // render state index
+  val slot = UInt(log2Up(slots) bits)
+  val parity = Bool()
+  val x = UInt(config.tileLog2Width bits)
 }

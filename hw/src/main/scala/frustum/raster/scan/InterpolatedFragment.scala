@@ -13,9 +13,9 @@ import spinal.core._
   *   - `tileEnd`: no pixel; every fragment of the tile came before
   */
 case class InterpolatedFragment(config: RasterConfig) extends Bundle {
-  val x          = UInt(config.tileLog2Width bits)
-  val y          = UInt(config.tileLog2Height bits)
+  val x = UInt(config.tileLog2Width bits)
+  val y = UInt(config.tileLog2Height bits)
   val s, t, q, z = SInt(32 bits)
   val r, g, b, a = SInt(16 bits)
-  val tileEnd    = Bool()
+  val tileEnd = Bool()
 }

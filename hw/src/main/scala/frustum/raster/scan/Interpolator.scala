@@ -7,7 +7,7 @@ import spinal.lib._
 /** One 32-bit coefficient of a plane (16 bits for the colours). */
 case class CoefficientWrite(slots: Int) extends Bundle {
   val plane = UInt(3 bits)
-  val slot  = UInt(log2Up(slots) bits)
+  val slot = UInt(log2Up(slots) bits)
   val entry = UInt(3 bits)
   val value = SInt(32 bits)
 }
@@ -30,57 +30,57 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
     val token = slave Stream (DrawToken(config, slots))
     val spans = slave Stream (Span(config))
     val write = slave Flow (CoefficientWrite(slots))
-    val busy  = out Bool () // a token or its fragments are under way
-    val down  = master Stream (InterpolatedFragment(config))
+    val busy = out Bool () // a token or its fragments are under way
+    val down = master Stream (InterpolatedFragment(config))
   }
 
   // The row to be drawn, from `near` to `far`.
   case class Row() extends Bundle {
-    val y         = UInt(config.tileLog2Height bits)
+    val y = UInt(config.tileLog2Height bits)
     val near, far = UInt(config.tileLog2Width bits)
-    val end       = Bool()
+    val end = Bool()
     val leftwards = Bool() // the row's direction
-    val seekLeft  = Bool() // the direction from the row before to `near`
+    val seekLeft = Bool() // the direction from the row before to `near`
   }
-  val rows      = Stream(Row())
-  val row       = rows.s2mPipe().m2sPipe() // no way of ready leads through
+  val rows = Stream(Row())
+  val row = rows.s2mPipe().m2sPipe() // no way of ready leads through
   val leftwards = RegInit(False)
   when(rows.fire) { leftwards := !leftwards && !rows.end }
   rows.arbitrationFrom(io.spans)
-  rows.y         := io.spans.y
-  rows.near      := leftwards ? io.spans.last | io.spans.first
-  rows.far       := leftwards ? io.spans.first | io.spans.last
-  rows.end       := io.spans.end
+  rows.y := io.spans.y
+  rows.near := leftwards ? io.spans.last | io.spans.first
+  rows.far := leftwards ? io.spans.first | io.spans.last
+  rows.end := io.spans.end
   rows.leftwards := leftwards
-  rows.seekLeft  := rows.near < RegNextWhen(rows.far, rows.fire)
+  rows.seekLeft := rows.near < RegNextWhen(rows.far, rows.fire)
 
   // Clock 1 of a move: the coefficient is asked for.
-  val x       = Reg(UInt(config.tileLog2Width bits))
-  val y       = Reg(UInt(config.tileLog2Height bits))
-  val moving  = RegInit(False)             // a triangle is being drawn: clock 2 of its last move, to (x, y)
-  val drawing = Reg(Bool())                // the move before was a fragment of the same row
-  val ending  = RegInit(False)             // clock 2 of a tile's end
-  val free    = Bool()                     // the register of `down` is
-  val advance = free && row.valid          // a move goes from clock 2 to the register of `down`
-  val atY     = y === row.y
+  val x = Reg(UInt(config.tileLog2Width bits))
+  val y = Reg(UInt(config.tileLog2Height bits))
+  val moving = RegInit(False) // a triangle is being drawn: clock 2 of its last move, to (x, y)
+  val drawing = Reg(Bool()) // the move before was a fragment of the same row
+  val ending = RegInit(False) // clock 2 of a tile's end
+  val free = Bool() // the register of `down` is
+  val advance = free && row.valid // a move goes from clock 2 to the register of `down`
+  val atY = y === row.y
   val reached = drawing || x === row.near
-  val atFar   = x === row.far
+  val atFar = x === row.far
   val covered = atY && reached
   val rowDone = covered && atFar
-  val inRow   = atY && !(reached && atFar) // the move stays in it
-  val finish  = moving && row.end
-  val toLeft  = reached ? row.leftwards | row.seekLeft
+  val inRow = atY && !(reached && atFar) // the move stays in it
+  val finish = moving && row.end
+  val toLeft = reached ? row.leftwards | row.seekLeft
   // Coefficient.Left or Right, Down, or an Initial one
-  val entry  = (moving && !inRow) ## (moving && inRow) ## (moving ? (inRow && toLeft) | io.token.parity)
+  val entry = (moving && !inRow) ## (moving && inRow) ## (moving ? (inRow && toLeft) | io.token.parity)
   val starts = !moving && !ending && io.token.valid && !io.token.tileEnd && row.valid
-  val ends   = !moving && !ending && io.token.valid && io.token.tileEnd
-  val moves  = (moving || starts) && advance
+  val ends = !moving && !ending && io.token.valid && io.token.tileEnd
+  val moves = (moving || starts) && advance
   io.token.ready := finish && advance || ends
-  row.ready      := moving && free && (row.end || rowDone)
+  row.ready := moving && free && (row.end || rowDone)
   when(ends) { ending := True }
   when(ending && free) { ending := False }
   when(moves) {
-    moving  := !finish
+    moving := !finish
     drawing := moving && covered && !rowDone
     when(!moving) {
       x := io.token.x
@@ -94,38 +94,38 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
 
   // Clock 2: it is added. In place of the move that the end mark followed, the planes become zero: the next move brings
   // another triangle's first value.
-  val complement                    = RegNextWhen(moving && inRow && toLeft, moves) // the step to the left lacks one
+  val complement = RegNextWhen(moving && inRow && toLeft, moves) // the step to the left lacks one
   private def fullWidth(plane: Int) =
     if (plane < SetupWords.PlaneQ) config.ranges.coordinateBits else if (plane <= SetupWords.PlaneZ) 32 else 16
   val planes = for (plane <- config.fixed.planes) yield new Area {
-    val full    = fullWidth(plane)
+    val full = fullWidth(plane)
     val dropped = config.formats.dropped(plane)
-    val width   = full - dropped
-    val memory  = Mem(SInt(width bits), slots * 8)
+    val width = full - dropped
+    val memory = Mem(SInt(width bits), slots * 8)
     memory.write(
       io.write.slot @@ io.write.entry,
       (io.write.value >> dropped).resize(width),
       io.write.valid && io.write.plane === plane
     )
     val coefficient = memory.readSync(io.token.slot @@ entry.asUInt, enable = moves, readUnderWrite = dontCare)
-    val value       = RegInit(S(0, width bits))
+    val value = RegInit(S(0, width bits))
     when(moving && advance) {
       value := value + coefficient + complement.asUInt.resize(width).asSInt
       when(row.end) { value := 0 }
     }
   }
 
-  val valid   = RegInit(False)
+  val valid = RegInit(False)
   val tileEnd = Reg(Bool())
   when(free) {
-    valid   := moving && row.valid && !row.end && covered || ending
+    valid := moving && row.valid && !row.end && covered || ending
     tileEnd := ending
   }
-  free            := !valid || io.down.ready
-  io.busy         := io.token.valid || moving || ending || valid
-  io.down.valid   := valid
-  io.down.x       := RegNextWhen(x, advance)
-  io.down.y       := RegNextWhen(y, advance)
+  free := !valid || io.down.ready
+  io.busy := io.token.valid || moving || ending || valid
+  io.down.valid := valid
+  io.down.x := RegNextWhen(x, advance)
+  io.down.y := RegNextWhen(y, advance)
   io.down.tileEnd := tileEnd
   import SetupWords._
   Seq(

@@ -7,9 +7,9 @@ import spinal.lib._
   * one clock after `address`.
   */
 case class SpareRows(rows: Int, width: Int) extends Bundle with IMasterSlave {
-  val free                      = Bool()
-  val address                   = UInt(log2Up(rows) bits)
-  val data                      = UInt(width bits)
-  val write                     = Flow(new Bundle { val address = UInt(log2Up(rows) bits); val data = UInt(width bits) })
+  val free = Bool()
+  val address = UInt(log2Up(rows) bits)
+  val data = UInt(width bits)
+  val write = Flow(new Bundle { val address = UInt(log2Up(rows) bits); val data = UInt(width bits) })
   override def asMaster(): Unit = { out(address); in(free, data); master(write) }
 }

@@ -5,9 +5,9 @@ import spinal.core._
 
 /** A triangle to be drawn in a tile, or the end of the tile. */
 case class TileJob(config: RasterConfig) extends Bundle {
-  val tileEnd  = Bool()
-  val tileX    = UInt(5 bits)
-  val tileY    = UInt(5 bits)
+  val tileEnd = Bool()
+  val tileX = UInt(5 bits)
+  val tileY = UInt(5 bits)
   val triangle = UInt(config.triangleBits bits)
-  val state    = UInt(4 bits)
+  val state = UInt(4 bits)
 }

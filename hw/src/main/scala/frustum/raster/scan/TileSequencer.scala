@@ -13,50 +13,50 @@ import spinal.lib._
   */
 case class TileSequencer(config: RasterConfig) extends Component {
   val layout = StoreLayout(config)
-  val io     = new Bundle {
-    val frame   = slave Stream (FrameJob(config))
-    val store   = master(StoreBus(layout))
-    val tile    = master Stream (TilePosition())
-    val job     = master Stream (TileJob(config))
+  val io = new Bundle {
+    val frame = slave Stream (FrameJob(config))
+    val store = master(StoreBus(layout))
+    val tile = master Stream (TilePosition())
+    val job = master Stream (TileJob(config))
     val drained = in Bool () // no job is under way
   }
 
   object State extends SpinalEnum { val Idle, Tile, Settle, Scan, Hand, End, Drain = newElement() }
   val state = RegInit(State.Idle)
-  val tile  = Reg(TilePosition())
-  val next  = Reg(UInt(config.countBits bits)) // the next triangle to be looked at, counted from 1
+  val tile = Reg(TilePosition())
+  val next = Reg(UInt(config.countBits bits)) // the next triangle to be looked at, counted from 1
   val frame = io.frame.payload
 
   // A box is asked for every clock. Its answer is held against the tile when it comes, and looked at a clock later; after
   // a hit the answers still under way are let go by.
-  val asked         = Reg(UInt(config.countBits bits)) // the next box to be asked for, counted from 1
-  val pending       = Reg(UInt(2 bits)) init 0         // answers under way
-  val response      = io.store.rsp
+  val asked = Reg(UInt(config.countBits bits)) // the next box to be asked for, counted from 1
+  val pending = Reg(UInt(2 bits)) init 0 // answers under way
+  val response = io.store.rsp
   def field(n: Int) = response.payload(5 * n, 5 bits).asUInt
-  val looking       = RegNext(response.valid, False)
-  val inside        = RegNext(field(3) <= tile.tileX) && RegNext(field(2) >= tile.tileX) &&
+  val looking = RegNext(response.valid, False)
+  val inside = RegNext(field(3) <= tile.tileX) && RegNext(field(2) >= tile.tileX) &&
     RegNext(field(1) <= tile.tileY) && RegNext(field(0) >= tile.tileY)
-  val boxState    = RegNext(response.payload(31 downto 28).asUInt)
-  val ended       = Reg(Bool()) // none is left to be looked at
+  val boxState = RegNext(response.payload(31 downto 28).asUInt)
+  val ended = Reg(Bool()) // none is left to be looked at
   val hitTriangle = Reg(UInt(config.triangleBits bits))
-  val hitState    = Reg(UInt(4 bits))
+  val hitState = Reg(UInt(4 bits))
 
-  io.store.cmd.valid   := state === State.Scan && pending =/= 3
-  io.store.cmd.write   := False
-  io.store.cmd.data    := 0
+  io.store.cmd.valid := state === State.Scan && pending =/= 3
+  io.store.cmd.write := False
+  io.store.cmd.data := 0
   io.store.cmd.address := frame.bank @@
     (U(layout.triangles, layout.bankAddressBits bits) + (asked << 1) - 1).resize(layout.bankAddressBits)
   when(io.store.cmd.fire) { asked := asked + 1 }
-  pending         := pending + io.store.cmd.fire.asUInt - response.valid.asUInt
-  io.tile.valid   := state === State.Tile
+  pending := pending + io.store.cmd.fire.asUInt - response.valid.asUInt
+  io.tile.valid := state === State.Tile
   io.tile.payload := tile
-  io.job.valid    := state === State.Hand || state === State.End
-  io.job.tileEnd  := state === State.End
-  io.job.tileX    := tile.tileX
-  io.job.tileY    := tile.tileY
+  io.job.valid := state === State.Hand || state === State.End
+  io.job.tileEnd := state === State.End
+  io.job.tileX := tile.tileX
+  io.job.tileY := tile.tileY
   io.job.triangle := hitTriangle
-  io.job.state    := hitState
-  io.frame.ready  := False
+  io.job.state := hitState
+  io.frame.ready := False
 
   switch(state) {
     is(State.Idle) {
@@ -65,7 +65,7 @@ case class TileSequencer(config: RasterConfig) extends Component {
       when(io.frame.valid) { state := State.Tile }
     }
     is(State.Tile) {
-      next  := 1
+      next := 1
       asked := 1
       ended := frame.triangleCount === 0
       when(io.tile.ready) { state := State.Settle }
@@ -75,10 +75,10 @@ case class TileSequencer(config: RasterConfig) extends Component {
       when(ended) {
         state := State.End
       } elsewhen (looking) {
-        next        := next + 1
-        ended       := next === frame.triangleCount
+        next := next + 1
+        ended := next === frame.triangleCount
         hitTriangle := (next - 1).resized
-        hitState    := (if (config.fixed.whole) U(0) else boxState) // one is as good as another
+        hitState := (if (config.fixed.whole) U(0) else boxState) // one is as good as another
         when(inside) { state := State.Hand }
       }
     }
@@ -89,7 +89,7 @@ case class TileSequencer(config: RasterConfig) extends Component {
     is(State.End) {
       when(io.job.ready) {
         tile.tileX := (tile.tileX + 1).resize(config.tileXBits).resized
-        state      := State.Tile
+        state := State.Tile
         when(tile.tileX === frame.x1) {
           tile.tileX := frame.x0
           tile.tileY := tile.tileY + 1
@@ -102,7 +102,7 @@ case class TileSequencer(config: RasterConfig) extends Component {
     is(State.Drain) {
       when(io.drained) {
         io.frame.ready := True
-        state          := State.Idle
+        state := State.Idle
       }
     }
   }

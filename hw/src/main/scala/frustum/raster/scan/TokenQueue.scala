@@ -9,18 +9,18 @@ import spinal.lib._
   */
 case class TokenQueue(config: RasterConfig, slots: Int) extends Component {
   val io = new Bundle {
-    val up       = slave Stream (DrawToken(config, slots))
-    val down     = master Stream (DrawToken(config, slots))
-    val slot     = in UInt (log2Up(slots) bits)
+    val up = slave Stream (DrawToken(config, slots))
+    val down = master Stream (DrawToken(config, slots))
+    val slot = in UInt (log2Up(slots) bits)
     val slotUsed = out Bool () // a token of `slot` is held
-    val full     = out Bool () // two triangles' tokens are held
-    val busy     = out Bool ()
+    val full = out Bool () // two triangles' tokens are held
+    val busy = out Bool ()
   }
-  val waiting                                 = io.up.halfPipe() // cuts the way of ready
-  val drawn                                   = waiting.m2sPipe()
+  val waiting = io.up.halfPipe() // cuts the way of ready
+  val drawn = waiting.m2sPipe()
   private def holds(token: Stream[DrawToken]) = token.valid && !token.tileEnd
   io.down << drawn
   io.slotUsed := RegNext(Seq(waiting, drawn).map(token => holds(token) && token.slot === io.slot).orR)
-  io.full     := RegNext(holds(waiting) && holds(drawn))
-  io.busy     := waiting.valid || drawn.valid
+  io.full := RegNext(holds(waiting) && holds(drawn))
+  io.busy := waiting.valid || drawn.valid
 }

@@ -12,24 +12,24 @@ import spinal.lib._
 case class CoefficientWriter(slots: Int) extends Component {
   val io = new Bundle {
     val result = slave Flow (SetupResult())
-    val slot   = in UInt (log2Up(slots) bits)
+    val slot = in UInt (log2Up(slots) bits)
     val parity = in Bool ()
-    val write  = master Flow (CoefficientWrite(slots))
+    val write = master Flow (CoefficientWrite(slots))
   }
 
-  val value   = Reg(SInt(32 bits))
-  val plane   = Reg(UInt(3 bits))
-  val entry   = Reg(UInt(3 bits))
-  val both    = RegInit(False) // the step to the left is still to come
+  val value = Reg(SInt(32 bits))
+  val plane = Reg(UInt(3 bits))
+  val entry = Reg(UInt(3 bits))
+  val both = RegInit(False) // the step to the left is still to come
   val writing = RegInit(False)
   io.write.valid := writing
   io.write.plane := plane
-  io.write.slot  := io.slot
+  io.write.slot := io.slot
   io.write.entry := entry
   io.write.value := value
 
   writing := both
-  both    := False
+  both := False
   when(both) {
     entry := Coefficient.Left
     value := ~value
@@ -37,10 +37,10 @@ case class CoefficientWriter(slots: Int) extends Component {
   when(io.result.valid) {
     def begin(kind: Result, at: UInt, mirrored: Boolean): Unit = when(io.result.kind === kind.code) {
       writing := True
-      value   := io.result.value
-      plane   := io.result.target.resized
-      entry   := at
-      both    := Bool(mirrored)
+      value := io.result.value
+      plane := io.result.target.resized
+      entry := at
+      both := Bool(mirrored)
     }
     begin(GradientX(0), U(Coefficient.Right, 3 bits), mirrored = true)
     begin(GradientY(0), U(Coefficient.Down, 3 bits), mirrored = false)

@@ -15,10 +15,10 @@ case class ScratchWrite() extends Bundle {
 
 /** A row of the table, as [[frustum.contract.raster.FetchProgram]] encodes it. */
 case class FetchRow() extends Bundle {
-  val target, origin   = UInt(SetupWords.CodeBits bits)
-  val fields           = Bits(Field.Skip.id bits)
-  val word             = UInt(3 bits)
-  val upper, take      = Bool()
+  val target, origin = UInt(SetupWords.CodeBits bits)
+  val fields = Bits(Field.Skip.id bits)
+  val word = UInt(3 bits)
+  val upper, take = Bool()
   val lastOfWord, last = Bool()
 }
 
@@ -30,37 +30,37 @@ case class FetchRow() extends Bundle {
   */
 case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = SetupWords.AllPlanes) extends Component {
   val layout = StoreLayout(config)
-  val io     = new Bundle {
-    val start    = in Bool ()
-    val program  = in UInt (6 bits) // 0: vertices
-    val idle     = out Bool ()
+  val io = new Bundle {
+    val start = in Bool ()
+    val program = in UInt (6 bits) // 0: vertices
+    val idle = out Bool ()
     val triangle = in UInt (config.triangleBits bits)
-    val bank     = in UInt (1 bits)
-    val values   = in(FetchValues(config))
-    val store    = master(StoreBus(layout))
-    val read     = out UInt (SetupWords.CodeBits bits)
+    val bank = in UInt (1 bits)
+    val values = in(FetchValues(config))
+    val store = master(StoreBus(layout))
+    val read = out UInt (SetupWords.CodeBits bits)
     val readData = in SInt (32 bits)
-    val write    = master Flow (ScratchWrite())
-    val spare    = slave(SpareRows(spareRows, config.triangleBits))
+    val write = master Flow (ScratchWrite())
+    val spare = slave(SpareRows(spareRows, config.triangleBits))
   }
 
   object State extends SpinalEnum { val Idle, Vertices, Exponents, Read, Wait, Write = newElement() }
-  val state      = RegInit(State.Idle)
-  val row        = Reg(UInt(6 bits))
-  val nextRow    = UInt(6 bits)
-  val vertex     = row(5 downto 4)
+  val state = RegInit(State.Idle)
+  val row = Reg(UInt(6 bits))
+  val nextRow = UInt(6 bits)
+  val vertex = row(5 downto 4)
   val lastVertex = vertex.msb
   nextRow := row
-  row     := nextRow
-  val start   = RegNext(io.start, False)
+  row := nextRow
+  val start = RegNext(io.start, False)
   val program = RegNext(io.program)
   val resting = state === State.Idle && !start
   io.idle := resting
 
   // The table: the programs, then the spare rows.
   val firstSpare = FetchProgram.Rows
-  val rows       = firstSpare + (1 << log2Up(spareRows))
-  val table      = Mem(Bits(FetchProgram.RowBits bits), rows)
+  val rows = firstSpare + (1 << log2Up(spareRows))
+  val table = Mem(Bits(FetchProgram.RowBits bits), rows)
   table.init(FetchProgram.image(planes).padTo(rows, 0).map(B(_, FetchProgram.RowBits bits)))
   table.addAttribute("ram_style", "block")
   def spare(address: UInt) = U(firstSpare, log2Up(rows) bits) | address.resize(log2Up(rows))
@@ -81,21 +81,21 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
 
   // Store reads: the vertices' indices, the three exponents, then word after word of each vertex. Indices and exponents
   // go round, the vertex at hand first.
-  val indices                             = Vec.fill(3)(Reg(UInt(config.vertexBits bits)))
-  val exponents                           = Vec.fill(3)(Reg(UInt(5 bits)))
+  val indices = Vec.fill(3)(Reg(UInt(config.vertexBits bits)))
+  val exponents = Vec.fill(3)(Reg(UInt(5 bits)))
   def turn[T <: Data](ring: Vec[T]): Unit = { ring(0) := ring(1); ring(1) := ring(2); ring(2) := ring(0) }
-  val index                               = indices(0).resize(layout.bankAddressBits)
-  val ask                                 = False // the address follows a clock later
-  val asking                              = RegInit(False) clearWhen io.store.cmd.fire setWhen RegNext(ask, False)
-  val wanted                              = (state === State.Exponents) ? U(FetchProgram.ExponentWord, 3 bits) | action.word
-  val response                            = io.store.rsp
+  val index = indices(0).resize(layout.bankAddressBits)
+  val ask = False // the address follows a clock later
+  val asking = RegInit(False) clearWhen io.store.cmd.fire setWhen RegNext(ask, False)
+  val wanted = (state === State.Exponents) ? U(FetchProgram.ExponentWord, 3 bits) | action.word
+  val response = io.store.rsp
   io.store.cmd.valid := asking
   io.store.cmd.write := False
-  io.store.cmd.data  := 0
-  val ofVertex   = (index |<< 2) + index + wanted
+  io.store.cmd.data := 0
+  val ofVertex = (index |<< 2) + index + wanted
   val ofTriangle = U(layout.triangles, layout.bankAddressBits bits) + (io.triangle << 1).resize(layout.bankAddressBits)
   io.store.cmd.address := io.bank @@ RegNext((state === State.Vertices) ? ofTriangle | ofVertex)
-  val largest  = Reg(UInt(5 bits))
+  val largest = Reg(UInt(5 bits))
   val arriving = response.payload(31 downto 27).asUInt
 
   val data = Reg(Bits(32 bits)) // a store word; the next field is always at its top
@@ -103,57 +103,57 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
   // Clock 1 of a row: the scratch memory is asked for the word to subtract; clock 2: the difference; clock 3: its place;
   // clock 4: the write.
   val working = state === State.Write
-  val values  = io.values
+  val values = io.values
   io.read := action.origin
   // A centre: of the tile's first column or line, or the last one, or the covered one.
   def centre(tile: UInt, last: UInt, covered: UInt): UInt = {
-    val of    = action.word.asBits
+    val of = action.word.asBits
     val pixel = last.asBits & of(1) #* widthOf(last) | covered.asBits & of(2) #* widthOf(covered)
     (tile @@ pixel.asUInt @@ U(8, 4 bits)).resize(14)
   }
-  val column  = centre(values.tileX, values.lastColumn, values.coveredX)
-  val line    = centre(values.tileY, values.lastRow, values.coveredY)
-  val top16   = data(31 downto 16)
+  val column = centre(values.tileX, values.lastColumn, values.coveredX)
+  val line = centre(values.tileY, values.lastRow, values.coveredY)
+  val top16 = data(31 downto 16)
   val minuend = RegNext(
     Seq[(Field.Value, BitVector)](
       Field.Position -> top16.asSInt.resize(32),
-      Field.Z        -> (top16 << 15),
-      Field.Q        -> (top16 << 1),
-      Field.Color    -> (data(31 downto 24) << 7),
-      Field.Texture  -> (data(24 downto 0).asSInt << 6).resize(32),
-      Field.Area     -> (values.area | (1 << 29) | 1),
-      Field.Pixel    -> (action.word.lsb ? line | column)
+      Field.Z -> (top16 << 15),
+      Field.Q -> (top16 << 1),
+      Field.Color -> (data(31 downto 24) << 7),
+      Field.Texture -> (data(24 downto 0).asSInt << 6).resize(32),
+      Field.Area -> (values.area | (1 << 29) | 1),
+      Field.Pixel -> (action.word.lsb ? line | column)
     ).map { case (f, v) => v.asBits.resize(32) & isField(f) #* 32 }.reduceBalancedTree(_ | _).asSInt
   )
   val difference = RegNext(minuend - io.readData)
-  val raise      = Delay(action.upper, 2)
-  val behind     = RegNext(largest - exponents(0))
-  val place      = RegNext(RegNext(isField(Field.Scale)) ? behind | values.place)
-  val isPower    = Delay(working && (isField(Field.Scale) || isField(Field.Power)), 2, init = False)
+  val raise = Delay(action.upper, 2)
+  val behind = RegNext(largest - exponents(0))
+  val place = RegNext(RegNext(isField(Field.Scale)) ? behind | values.place)
+  val isPower = Delay(working && (isField(Field.Scale) || isField(Field.Power)), 2, init = False)
   // Bit 30 - n for place n, and bit 0 for place 31 too, from lines for the upper and the lower bits of ~n.
   val group = (~place)(4 downto 2)
   val lines = B((0 to 7).map(isPower && group === _))
-  val four  = B((0 to 3).map((~place)(1 downto 0) === _))
-  val bits  = (0 to 31).map(n => lines(n / 4) && four(n % 4))
+  val four = B((0 to 3).map((~place)(1 downto 0) === _))
+  val bits = (0 to 31).map(n => lines(n / 4) && four(n % 4))
   val power = B((bits(0) || bits(1)) +: bits.drop(2) :+ False)
   io.write.valid := Delay(working && action.fields.orR, 3, init = False)
-  io.write.word  := Delay(action.target, 3)
-  io.write.data  := RegNext((raise ? (difference |<< 16) | difference) | power.asSInt)
+  io.write.word := Delay(action.target, 3)
+  io.write.data := RegNext((raise ? (difference |<< 16) | difference) | power.asSInt)
 
   switch(state) {
     is(State.Idle) {
       nextRow := program
       largest := 0
       when(start) {
-        ask   := !program.msb
+        ask := !program.msb
         state := program.msb ? State.Write | State.Vertices
       }
     }
     is(State.Vertices) {
       when(response.valid) {
         for (v <- 0 to 2) indices(v) := response.payload(20 - 10 * v, config.vertexBits bits).asUInt
-        state                        := State.Exponents
-        ask                          := True
+        state := State.Exponents
+        ask := True
       }
     }
     is(State.Exponents) {
@@ -164,7 +164,7 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
         exponents(2) := arriving
         when(arriving > largest) { largest := arriving }
         nextRow(5 downto 4) := lastVertex ? U(0) | vertex + 1
-        ask                 := True
+        ask := True
         when(lastVertex) { state := State.Read }
       }
     }
@@ -178,7 +178,7 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
       when(action.take) { data := data |<< 8 }
       when(action.lastOfWord) {
         state := State.Read
-        ask   := True
+        ask := True
       }
       when(action.last) {
         nextRow := (vertex + 1) @@ U(0, 4 bits)
@@ -186,7 +186,7 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
         turn(exponents)
         when(row.msb) { // vertex 2, or another program
           state := State.Idle
-          ask   := False
+          ask := False
         }
       }
     }

@@ -7,8 +7,8 @@ import spinal.lib._
 
 /** A tile's job with the slot that its triangle has in the set-up engine's scratch memory and in the interpolator. */
 case class SlotJob(config: RasterConfig, slots: Int) extends Bundle {
-  val job   = TileJob(config)
-  val slot  = UInt(log2Up(slots) bits)
+  val job = TileJob(config)
+  val slot = UInt(log2Up(slots) bits)
   val known = Bool() // the slot already holds the triangle; otherwise it is to be set up there
 }
 
@@ -19,39 +19,39 @@ case class SlotJob(config: RasterConfig, slots: Int) extends Bundle {
 case class SlotLookup(config: RasterConfig, slots: Int) extends Component {
   val io = new Bundle {
     val flush = in Bool () // a new frame: the slots are empty
-    val up    = slave Stream (TileJob(config))
-    val down  = master Stream (SlotJob(config, slots))
-    val tags  = master(SpareRows(slots, config.triangleBits))
+    val up = slave Stream (TileJob(config))
+    val down = master Stream (SlotJob(config, slots))
+    val tags = master(SpareRows(slots, config.triangleBits))
   }
   object State extends SpinalEnum { val Idle, Search, Found, Missed = newElement() }
-  val state  = RegInit(State.Idle)
-  val next   = Reg(UInt(log2Up(slots) bits))     // the slot given away next
+  val state = RegInit(State.Idle)
+  val next = Reg(UInt(log2Up(slots) bits)) // the slot given away next
   val filled = Reg(UInt(log2Up(slots + 1) bits)) // slots given away in this frame
-  val asked  = Reg(UInt(log2Up(slots + 3) bits))
+  val asked = Reg(UInt(log2Up(slots + 3) bits))
   // Two clocks after a candidate is asked for it is known whether it is the triangle's.
-  val fresh  = RegNext(io.tags.free, False)
+  val fresh = RegNext(io.tags.free, False)
   val looked = Delay(asked, 2)
   val beyond = RegNext(RegNext(asked) === filled)
-  val same   = RegNext(io.tags.data === io.up.triangle)
+  val same = RegNext(io.tags.data === io.up.triangle)
   val judged = RegNext(fresh, False)
-  val slot   = Reg(UInt(log2Up(slots) bits))
+  val slot = Reg(UInt(log2Up(slots) bits))
 
-  io.tags.address       := asked.resized
-  io.tags.write.valid   := False
+  io.tags.address := asked.resized
+  io.tags.write.valid := False
   io.tags.write.address := next
-  io.tags.write.data    := io.up.triangle
-  io.down.valid         := state === State.Found || state === State.Missed
-  io.down.job           := io.up.payload
-  io.down.slot          := slot
-  io.down.known         := state === State.Found
-  io.up.ready           := io.down.fire
+  io.tags.write.data := io.up.triangle
+  io.down.valid := state === State.Found || state === State.Missed
+  io.down.job := io.up.payload
+  io.down.slot := slot
+  io.down.known := state === State.Found
+  io.up.ready := io.down.fire
 
   switch(state) {
     is(State.Idle) {
-      asked  := 0
-      fresh  := False
+      asked := 0
+      fresh := False
       judged := False
-      slot   := next
+      slot := next
       when(io.up.valid) { state := io.up.tileEnd ? State.Found | State.Search }
     }
     is(State.Search) {
@@ -59,11 +59,11 @@ case class SlotLookup(config: RasterConfig, slots: Int) extends Component {
       when(judged) {
         when(beyond) {
           io.tags.write.valid := True
-          state               := State.Missed
-          next                := (next === slots - 1) ? U(0) | next + 1
+          state := State.Missed
+          next := (next === slots - 1) ? U(0) | next + 1
           when(filled =/= slots) { filled := filled + 1 }
         } elsewhen (same) {
-          slot  := looked.resized
+          slot := looked.resized
           state := State.Found
         }
       }
@@ -71,7 +71,7 @@ case class SlotLookup(config: RasterConfig, slots: Int) extends Component {
     default { when(io.down.ready) { state := State.Idle } }
   }
   when(io.flush) {
-    next   := 0
+    next := 0
     filled := 0
   }
 }

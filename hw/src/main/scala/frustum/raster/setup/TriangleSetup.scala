@@ -17,15 +17,15 @@ import spinal.lib._
 case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends Component {
   require(slots >= 3 && slots <= 6, s"TriangleSetup: $slots slots; from 3 (two are drawn, one is set up) to 6")
   val layout = StoreLayout(config)
-  val io     = new Bundle {
-    val flush = in Bool ()  // a new frame: the triangles kept are no more
-    val bank  = in UInt (1 bits)
-    val job   = slave Stream (TileJob(config))
+  val io = new Bundle {
+    val flush = in Bool () // a new frame: the triangles kept are no more
+    val bank = in UInt (1 bits)
+    val job = slave Stream (TileJob(config))
     val store = master(StoreBus(layout))
     val write = master Flow (CoefficientWrite(slots))
     val spans = master Stream (Span(config))
     val token = master Stream (DrawToken(config, slots))
-    val busy  = out Bool () // jobs or tokens are under way
+    val busy = out Bool () // jobs or tokens are under way
     val setUp = out Bool () // pulses when a triangle has been set up whole
     val moved = out Bool () // pulses when a triangle has been moved to a tile
   }
@@ -33,88 +33,88 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
   val lookup = SlotLookup(config, slots)
   val engine = SetupEngine(slots, tech, config.fixed.planes)
   val walker = EdgeWalker(config)
-  val fetch  = SetupFetch(config, slots, config.fixed.planes)
+  val fetch = SetupFetch(config, slots, config.fixed.planes)
   val writer = CoefficientWriter(slots)
 
   lookup.io.flush := io.flush
   lookup.io.up << io.job
   lookup.io.tags <> fetch.io.spare
   val found = lookup.io.down.halfPipe()
-  val slot  = found.slot
-  val job   = found.job
+  val slot = found.slot
+  val job = found.job
 
   val parity = Reg(Bool())
   engine.io.slot := slot
   engine.io.read := fetch.io.read
   engine.io.write << fetch.io.write
   fetch.io.triangle := job.triangle
-  fetch.io.bank     := io.bank
+  fetch.io.bank := io.bank
   fetch.io.store <> io.store
   fetch.io.readData := engine.io.readData
   val result = engine.io.result
   walker.io.step << engine.io.step
-  val isEdge  = result.valid && result.kind === SetupInstruction.Edge(0).code
-  val atFar   = result.target(2)                                             // the edge function where it is largest in the tile
+  val isEdge = result.valid && result.kind === SetupInstruction.Edge(0).code
+  val atFar = result.target(2) // the edge function where it is largest in the tile
   val outside = RegInit(False) setWhen (isEdge && atFar && result.value.msb) // of an edge, the whole tile is
   walker.io.edge.valid := isEdge && !atFar
   walker.io.edge.index := result.target.resized
   walker.io.edge.value := result.value
   writer.io.result << result
-  writer.io.slot   := slot
+  writer.io.slot := slot
   writer.io.parity := parity
   io.write << writer.io.write
 
   val tokens = TokenQueue(config, slots)
-  val token  = tokens.io.up
+  val token = tokens.io.up
   tokens.io.slot := slot
   tokens.io.down >> io.token
   io.busy := io.job.valid || found.valid || tokens.io.busy
 
   // First span of the triangle; the walker's end mark counts only where there was one.
-  val seen   = RegInit(False)
+  val seen = RegInit(False)
   val firstX = RegNextWhen(walker.io.up.first, !seen)
   val firstY = RegNextWhen(walker.io.up.y, !seen)
   seen.setWhen(walker.io.up.valid && !walker.io.up.end)
   io.spans << walker.io.up.throwWhen(walker.io.up.end && !seen)
 
-  token.valid   := False
+  token.valid := False
   token.tileEnd := job.tileEnd
-  token.state   := job.state
-  token.slot    := slot
-  token.parity  := parity
-  token.x       := firstX
+  token.state := job.state
+  token.slot := slot
+  token.parity := parity
+  token.x := firstX
 
   // The area, to be shifted left until bit 29 is set; `place` is 30 less the shift.
-  val area     = Reg(UInt(30 bits))
+  val area = Reg(UInt(30 bits))
   val backward = Reg(Bool()) // the triangle faces away
-  val place    = Reg(UInt(5 bits))
-  val sliver   = Reg(Bool())
+  val place = Reg(UInt(5 bits))
+  val sliver = Reg(Bool())
   engine.io.sliver := sliver
   when(result.valid && result.target === SetupWords.Area) {
-    area     := result.value.asUInt.resized
+    area := result.value.asUInt.resized
     backward := result.value.msb
   }
   val nothing = RegNext(backward || area === 0)
-  val empty   = Vec.fill(slots)(Reg(Bool())) // the slot's triangle draws nothing
+  val empty = Vec.fill(slots)(Reg(Bool())) // the slot's triangle draws nothing
   val isEmpty = RegNext(empty(slot))
 
   // The tile's last column and row on the screen.
   private def lastIn(tile: UInt, log2: Int, size: Int) =
     (tile === ((size - 1) >> log2)) ? U((size - 1) & ((1 << log2) - 1), log2 bits) | U((1 << log2) - 1, log2 bits)
   val lastColumn = RegNext(lastIn(job.tileX, config.tileLog2Width, config.width))
-  val lastRow    = RegNext(lastIn(job.tileY, config.tileLog2Height, config.height))
+  val lastRow = RegNext(lastIn(job.tileY, config.tileLog2Height, config.height))
   walker.io.lastColumn := lastColumn
-  walker.io.lastRow    := lastRow
+  walker.io.lastRow := lastRow
 
   val values = fetch.io.values
-  values.tileX      := job.tileX
-  values.tileY      := job.tileY
+  values.tileX := job.tileX
+  values.tileY := job.tileY
   values.lastColumn := lastColumn
-  values.lastRow    := lastRow
-  values.coveredX   := firstX
-  values.coveredY   := firstY
-  values.area       := area
-  values.place      := place
+  values.lastRow := lastRow
+  values.coveredX := firstX
+  values.coveredY := firstY
+  values.area := area
+  values.place := place
 
   import SetupProgram.{SectionArea, SectionAttributes, SectionEdges, SectionGradients, SectionRebase, SectionSteps}
   object State extends SpinalEnum(binaryOneHot) {
@@ -122,35 +122,35 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
         Pixel, Rebase, Hand = newElement()
   }
   val state = RegInit(State.Idle)
-  val busy  = RegInit(False) // engine or fetch are at work; `state` is what comes then
+  val busy = RegInit(False) // engine or fetch are at work; `state` is what comes then
   engine.io.run.valid := False
   engine.io.run.payload.assignDontCare()
   fetch.io.start := False
   fetch.io.program.assignDontCare()
   def run(section: Int, next: State.E): Unit = {
-    engine.io.run.valid   := True
+    engine.io.run.valid := True
     engine.io.run.payload := section
-    busy                  := True
-    state                 := next
+    busy := True
+    state := next
   }
   def load(program: Int, next: State.E): Unit = {
-    fetch.io.start   := True
+    fetch.io.start := True
     fetch.io.program := program
-    busy             := True
-    state            := next
+    busy := True
+    state := next
   }
 
   val finished = RegInit(False) // the job in hand goes, a clock after it is done with
-  finished    := False
+  finished := False
   found.ready := finished
   def finish(): Unit = {
     finished := True
-    state    := State.Idle
+    state := State.Idle
   }
 
   io.setUp := False
   val moved = False
-  io.moved        := RegNext(moved, False) // as the job goes
+  io.moved := RegNext(moved, False) // as the job goes
   walker.io.start := False
 
   when(busy) {
@@ -159,7 +159,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
     switch(state) {
       is(State.Idle) {
         sliver := False
-        place  := 30
+        place := 30
         when(found.valid && !finished) { state := State.Begin }
       }
       is(State.Begin) {
@@ -175,7 +175,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
       }
       is(State.Area) { run(SectionArea, State.Facing) }
       is(State.Facing) {
-        state       := State.Normalise
+        state := State.Normalise
         empty(slot) := nothing
         when(nothing) { finish() }
       }
@@ -183,7 +183,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
         when(area.msb || place === 30 - SetupWords.MaxShift) {
           load(FetchProgram.Normal, State.GradientShift)
         } otherwise {
-          area  := area |<< 1
+          area := area |<< 1
           place := place - 1
         }
       }
@@ -197,7 +197,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
       is(State.Check) {
         when(engine.io.overflow && !sliver) {
           sliver := True
-          state  := State.GradientShift
+          state := State.GradientShift
         } otherwise {
           state := State.Gradients
         }
@@ -210,12 +210,14 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
       is(State.Edges) { when(walker.io.idle) { run(SectionEdges, State.Walk) } }
       is(State.Walk) {
         walker.io.start := !outside
-        seen            := False
-        state           := State.Look
+        seen := False
+        state := State.Look
         when(outside) { finish() }
       }
       is(State.Look) {
-        when(seen) { when(!tokens.io.full) { state := State.Pixel } } elsewhen (walker.io.up.valid && walker.io.up.end) {
+        when(seen) {
+          when(!tokens.io.full) { state := State.Pixel }
+        } elsewhen (walker.io.up.valid && walker.io.up.end) {
           finish() // no span before the end mark
         }
       }
@@ -225,7 +227,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends C
         token.valid := True
         when(token.ready) {
           parity := !parity
-          moved  := True
+          moved := True
           finish()
         }
       }

@@ -19,24 +19,24 @@ case class Store(layout: StoreLayout, clients: Int, tech: Tech) extends Componen
     val clients = Vec.fill(Store.this.clients)(slave(StoreBus(layout)))
   }
 
-  val ram    = SinglePortRam(1 << layout.addressBits, 32, tech)
+  val ram = SinglePortRam(1 << layout.addressBits, 32, tech)
   val writer = io.clients.last.cmd
   // Whoever asks now has the port in the next clock, even if what it asks for is being taken: it may ask again.
-  val asking  = io.clients.map(_.cmd.valid).toSeq
-  val first   = OHMasking.first(Vec(asking.updated(clients - 2, asking(clients - 2) || !asking.last)))
+  val asking = io.clients.map(_.cmd.valid).toSeq
+  val first = OHMasking.first(Vec(asking.updated(clients - 2, asking(clients - 2) || !asking.last)))
   val granted = Vec(first.map(RegNext(_, False)))
-  val chosen  = RegNext(OHToUInt(first)) // the same as a number
+  val chosen = RegNext(OHToUInt(first)) // the same as a number
 
-  ram.io.enable    := True // a read nobody asked for does no harm
-  ram.io.write     := granted.last && writer.valid && writer.write
-  ram.io.address   := Vec(io.clients.map(_.cmd.address))(chosen)
+  ram.io.enable := True // a read nobody asked for does no harm
+  ram.io.write := granted.last && writer.valid && writer.write
+  ram.io.address := Vec(io.clients.map(_.cmd.address))(chosen)
   ram.io.writeData := writer.data
-  ram.io.mask      := B(3, 2 bits)
+  ram.io.mask := B(3, 2 bits)
 
   for ((client, grant) <- io.clients.zip(granted)) {
     val write = if (client eq io.clients.last) client.cmd.write else False
-    client.cmd.ready   := grant
-    client.rsp.valid   := RegNext(client.cmd.fire && !write) init False
+    client.cmd.ready := grant
+    client.rsp.valid := RegNext(client.cmd.fire && !write) init False
     client.rsp.payload := ram.io.readData
   }
 }

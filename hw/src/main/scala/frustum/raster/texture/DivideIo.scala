@@ -5,7 +5,7 @@ import spinal.lib._
 
 /** Ports of a perspective divide: [[PerspectiveDivide]], or [[LateDivide]] where a scene's depths let it do. */
 case class DivideIo() extends Bundle {
-  val up   = slave(Stream(ProjectiveCoordinate()))
+  val up = slave(Stream(ProjectiveCoordinate()))
   val down = master(Stream(TextureCoordinate()))
   val busy = out Bool ()
 }

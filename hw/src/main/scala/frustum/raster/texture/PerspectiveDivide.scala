@@ -23,29 +23,29 @@ import spinal.lib.misc.pipeline._
   * cutting.
   */
 case class PerspectiveDivide(tech: Tech) extends Component {
-  val io     = DivideIo()
-  val line   = new LockstepPipeline(7)
+  val io = DivideIo()
+  val line = new LockstepPipeline(7)
   val enable = line.enable
 
-  val Q        = Payload(Bits(25 bits)) // bits 30..6 after the coarse shift
-  val FINE     = Payload(UInt(2 bits))
-  val FOUR     = Payload(Bool())
-  val INDEX    = Payload(UInt(ReciprocalTable.IndexBits bits))
+  val Q = Payload(Bits(25 bits)) // bits 30..6 after the coarse shift
+  val FINE = Payload(UInt(2 bits))
+  val FOUR = Payload(Bool())
+  val INDEX = Payload(UInt(ReciprocalTable.IndexBits bits))
   val FRACTION = Payload(Bits(ReciprocalTable.FractionBits bits))
 
   line(0).driveFrom(io.up)((_, _) => ())
   val coarse = new Area {
-    val q       = io.up.q(30 downto 0).asBits
-    val zero    = Vec((0 until 3).map(i => q(30 - 4 * i downto 27 - 4 * i) === 0))
-    val by8     = zero(0) && zero(1)
-    val by4     = zero(0) && (!zero(1) || zero(2))
+    val q = io.up.q(30 downto 0).asBits
+    val zero = Vec((0 until 3).map(i => q(30 - 4 * i downto 27 - 4 * i) === 0))
+    val by8 = zero(0) && zero(1)
+    val by4 = zero(0) && (!zero(1) || zero(2))
     val shifted = Vec(Seq(0, 4, 8, 12).map(n => (q << n)(30 downto 6)))(U(by8 ## by4))
   }
-  line(0)(Q)    := coarse.shifted
+  line(0)(Q) := coarse.shifted
   line(0)(FOUR) := coarse.by4
 
   val fine = new Area {
-    val q     = line(1)(Q)
+    val q = line(1)(Q)
     val steps = UInt(2 bits)
     steps := 3
     when(q(22)) { steps := 2 }
@@ -53,19 +53,19 @@ case class PerspectiveDivide(tech: Tech) extends Component {
     when(q(24)) { steps := 0 }
     val f = Vec((0 to 3).map(n => (q << n)(23 downto 4)))(steps)
   }
-  line(1)(FINE)     := fine.steps
-  line(1)(INDEX)    := fine.f(19 downto 12).asUInt
+  line(1)(FINE) := fine.steps
+  line(1)(INDEX) := fine.f(19 downto 12).asUInt
   line(1)(FRACTION) := fine.f(11 downto 0)
 
   val slopes = Mem(Bits(16 bits), ReciprocalTable.slopeWords.map(B(_, 16 bits)))
-  val bases  = Mem(Bits(16 bits), ReciprocalTable.baseWords.map(B(_, 16 bits)))
+  val bases = Mem(Bits(16 bits), ReciprocalTable.baseWords.map(B(_, 16 bits)))
 
-  val slopeWord  = slopes.readSync(line(1)(INDEX), enable) // at node 2
-  val baseWord   = bases.readSync(line(1)(INDEX), enable)
+  val slopeWord = slopes.readSync(line(1)(INDEX), enable) // at node 2
+  val baseWord = bases.readSync(line(1)(INDEX), enable)
   val correction = Multiplier16(tech, signedA = false, signedB = false, add = true)
   correction.io.enable := enable
-  correction.io.a      := slopeWord(12 downto 0).resized
-  correction.io.b      := line(2)(FRACTION).resized
+  correction.io.a := slopeWord(12 downto 0).resized
+  correction.io.b := line(2)(FRACTION).resized
   correction.io.addend := baseWord ## slopeWord(15 downto 13) ## B(0, 13 bits)
   val r = correction.io.product(31 downto 16) // at node 4
 
@@ -81,21 +81,21 @@ case class PerspectiveDivide(tech: Tech) extends Component {
   /** One coordinate: shifted one binary step per node beside the reciprocal, then multiplied by 2 - r. */
   class Quotient(raw: SInt) extends Area {
     val BY8, BY4, BY2 = Payload(SInt(32 bits))
-    val SN            = Payload(SInt(31 bits)) // the lower four bits count as ones, which centres the error of cutting
-    val RESULT        = Payload(SInt(TextureCoordinate.Width bits))
+    val SN = Payload(SInt(31 bits)) // the lower four bits count as ones, which centres the error of cutting
+    val RESULT = Payload(SInt(TextureCoordinate.Width bits))
 
     line(0)(BY8) := Mux(coarse.by8, raw |<< 8, raw)
     line(1)(BY4) := Mux(line(1)(FOUR), line(1)(BY8) |<< 4, line(1)(BY8))
     line(2)(BY2) := Mux(line(2)(FINE)(1), line(2)(BY4) |<< 2, line(2)(BY4))
-    line(3)(SN)  := (Mux(line(3)(FINE)(0), line(3)(BY2) |<< 1, line(3)(BY2)) >> 1) | 15
+    line(3)(SN) := (Mux(line(3)(FINE)(0), line(3)(BY2) |<< 1, line(3)(BY2)) >> 1) | 15
 
     val high = Multiplier16(tech, signedA = true, signedB = false, add = true, subtract = true)
-    val low  = Multiplier16(tech, signedA = false, signedB = false, add = true, subtract = true)
+    val low = Multiplier16(tech, signedA = false, signedB = false, add = true, subtract = true)
     for (m <- Seq(high, low)) { m.io.enable := enable; m.io.b := r }
-    high.io.a       := line(4)(SN)(30 downto 16).resize(16).asBits
-    high.io.addend  := (line(4)(SN) << 1).asBits
-    low.io.a        := line(4)(SN)(15 downto 0).asBits
-    low.io.addend   := B(32 bits, default -> True) // -1, so the product is the complement, its sign beyond the word
+    high.io.a := line(4)(SN)(30 downto 16).resize(16).asBits
+    high.io.addend := (line(4)(SN) << 1).asBits
+    low.io.a := line(4)(SN)(15 downto 0).asBits
+    low.io.addend := B(32 bits, default -> True) // -1, so the product is the complement, its sign beyond the word
     line(6)(RESULT) := (high.io.product.asSInt + (B"xFFFF" ## low.io.product(31 downto 16)).asSInt)
       .drop(5)
       .asSInt

@@ -14,7 +14,7 @@ object Texel {
 
   /** RGB565 with full alpha, or RGBA4444 widened by repeating each channel's upper bits. */
   def decode(word: Bits, rgba4444: Bool): Texel = {
-    val texel                            = Texel()
+    val texel = Texel()
     def widened(nibble: Bits, bits: Int) = (nibble ## nibble.takeHigh(bits - 4)).asUInt
     texel.r := Mux(rgba4444, widened(word(15 downto 12), 5), word(15 downto 11).asUInt)
     texel.g := Mux(rgba4444, widened(word(11 downto 8), 6), word(10 downto 5).asUInt)

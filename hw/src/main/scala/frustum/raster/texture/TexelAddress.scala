@@ -9,7 +9,7 @@ object TexelAddress {
 
   /** What the state says of one axis, decoded: it stands still while fragments pass, so it is kept in registers. */
   class Axis(wrap: Bits, log2: UInt) extends Area {
-    val clamp  = RegNext(wrap === Wrap.Clamp.code)
+    val clamp = RegNext(wrap === Wrap.Clamp.code)
     val mirror = RegNext(wrap === Wrap.Mirror.code)
 
     /** The size is 2^(size + 3), 8..128. */
@@ -21,24 +21,24 @@ object TexelAddress {
     * are dropped. Bits above the size are junk until the last step.
     */
   def index(coordinate: SInt, axis: Axis): UInt = {
-    val integer  = coordinate(coordinate.high downto TextureCoordinate.FractionBits)
-    val flip     = axis.mirror && integer.lsb
-    val below    = axis.clamp && integer.msb
-    val above    = axis.clamp && !integer.msb && integer.asBits.orR
+    val integer = coordinate(coordinate.high downto TextureCoordinate.FractionBits)
+    val flip = axis.mirror && integer.lsb
+    val below = axis.clamp && integer.msb
+    val above = axis.clamp && !integer.msb && integer.asBits.orR
     val fraction = coordinate(
       TextureCoordinate.FractionBits - 1 downto TextureCoordinate.FractionBits - 7
     ).asUInt
     val shifted = Vec((0 to 7).map(n => (fraction >> (4 - n).max(0)).resize(7)))(axis.size)
     // Two bits for the four cases: as it is, flipped, all zeros, all ones.
     val fixed = below || above
-    val ones  = flip || above
+    val ones = flip || above
     Cat((0 until 7).map(i => axis.mask(i) && Mux(fixed, ones, shifted(i) ^ ones))).asUInt
   }
 
   /** Address of texel (`s`, `t`); the lower six bits need no carry because textures start at multiples of 64.
     */
   def apply(s: UInt, t: UInt, width: Axis, state: RenderStateWord): UInt = {
-    val row    = Vec((0 to 7).map(n => (t << (n.min(4) + 3)).resize(14)))(width.size)
+    val row = Vec((0 to 7).map(n => (t << (n.min(4) + 3)).resize(14)))(width.size)
     val offset = row | s.resize(14)
     ((offset(13 downto 6).resize(9) + state.textureBase) ## offset(5 downto 0)).asUInt
   }

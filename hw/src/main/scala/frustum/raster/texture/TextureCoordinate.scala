@@ -8,6 +8,6 @@ case class TextureCoordinate() extends Bundle {
 }
 
 object TextureCoordinate {
-  val Width        = 27
+  val Width = 27
   val FractionBits = 17
 }

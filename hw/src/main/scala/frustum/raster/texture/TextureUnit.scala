@@ -15,12 +15,12 @@ import spinal.lib._
   */
 case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
   val io = new Bundle {
-    val up     = slave(Stream(TextureCoordinate()))
-    val state  = in(RenderStateWord())
+    val up = slave(Stream(TextureCoordinate()))
+    val state = in(RenderStateWord())
     val texels = slave(Stream(TexelWrite()))
-    val down   = master(Stream(Texel()))
-    val fetch  = out Bool () // a texel is being read, which comes the clock after
-    val busy   = out Bool ()
+    val down = master(Stream(Texel()))
+    val fetch = out Bool () // a texel is being read, which comes the clock after
+    val busy = out Bool ()
   }
 
   case class TexelIndex() extends Bundle {
@@ -28,30 +28,30 @@ case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
   }
 
   val columns = new TexelAddress.Axis(io.state.wrapS, io.state.log2Width)
-  val rows    = new TexelAddress.Axis(io.state.wrapT, io.state.log2Height)
+  val rows = new TexelAddress.Axis(io.state.wrapT, io.state.log2Height)
   val wrapped = io.up.translateWith {
     val index = TexelIndex()
     index.s := TexelAddress.index(io.up.s, columns)
     index.t := TexelAddress.index(io.up.t, rows)
     index
   }
-  val indexed        = wrapped.m2sPipe(collapsBubble = false)
+  val indexed = wrapped.m2sPipe(collapsBubble = false)
   private val placed = indexed.translateWith(TexelAddress(indexed.s, indexed.t, columns, io.state))
   // A constant texture's address is hardly more than its index.
   val addressed = if (config.fixed.whole) placed else placed.m2sPipe(collapsBubble = false)
-  val read      = addressed.haltWhen(io.texels.valid)
-  val fetched   = read.translateWith(NoData()).m2sPipe(collapsBubble = false)
+  val read = addressed.haltWhen(io.texels.valid)
+  val fetched = read.translateWith(NoData()).m2sPipe(collapsBubble = false)
 
-  val memory  = SinglePortRam(config.textureTexels, 16, tech)
+  val memory = SinglePortRam(config.textureTexels, 16, tech)
   val address = Mux(io.texels.valid, io.texels.address, addressed.payload)
-  memory.io.enable    := Mux(io.texels.valid, io.texels.ready, fetched.ready)
-  memory.io.write     := io.texels.fire
-  memory.io.address   := address.resized
+  memory.io.enable := Mux(io.texels.valid, io.texels.ready, fetched.ready)
+  memory.io.write := io.texels.fire
+  memory.io.address := address.resized
   memory.io.writeData := io.texels.data
-  memory.io.mask      := 1
-  io.texels.ready     := !fetched.valid
+  memory.io.mask := 1
+  io.texels.ready := !fetched.valid
 
   io.down << fetched.translateWith(Texel.decode(memory.io.readData, io.state.rgba4444))
   io.fetch := read.fire
-  io.busy  := indexed.valid || addressed.valid || fetched.valid
+  io.busy := indexed.valid || addressed.valid || fetched.valid
 }

@@ -15,23 +15,23 @@ import spinal.lib._
   */
 case class Resolver(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val start   = slave(Stream(FrameStart()))
+    val start = slave(Stream(FrameStart()))
     val drawing = in Bool () // fragments are in flight
     val tileEnd = slave(
       Flow(UInt(1 bits))
     ) // the bank whose tile is complete; never while one is being resolved
-    val tile       = slave(Stream(TilePosition())) // one for each tile, in order; taken when its resolve starts
-    val clear      = master(TileClear(config))
-    val color      = in Bits (16 bits)
+    val tile = slave(Stream(TilePosition())) // one for each tile, in order; taken when its resolve starts
+    val clear = master(TileClear(config))
+    val color = in Bits (16 bits)
     val clearColor = out Bits (16 bits)
-    val pixels     = master(Stream(ResolvedPixel(config)))
+    val pixels = master(Stream(ResolvedPixel(config)))
   }
 
   val pending, walking, clearing, clean = RegInit(False)
-  val bank                              = Reg(UInt(1 bits))
-  val position                          = Reg(TilePosition())
-  val color                             = Reg(Bits(16 bits))
-  val address                           = Reg(UInt(config.tileLog2Width + config.tileLog2Height bits)) init 0
+  val bank = Reg(UInt(1 bits))
+  val position = Reg(TilePosition())
+  val color = Reg(Bits(16 bits))
+  val address = Reg(UInt(config.tileLog2Width + config.tileLog2Height bits)) init 0
 
   val tileStart = pending && !walking
   io.tile.ready := tileStart
@@ -39,46 +39,46 @@ case class Resolver(config: RasterConfig) extends Component {
   when(io.tile.fire) { walking := True; position := io.tile.payload }
 
   val looked = RegNext(io.start.valid && !io.start.ready) init False // `same` concerns the frame that is offered
-  val same   = RegNext(color === io.start.clearColor)
+  val same = RegNext(color === io.start.clearColor)
   io.start.ready := looked && clean && same
   when(looked && !(clean && same) && !io.drawing && !pending && !clearing) {
-    color    := io.start.clearColor
-    clean    := False
+    color := io.start.clearColor
+    clean := False
     clearing := True
   }
 
   /** The word whose data the memory shows now. */
   val shown = new Area {
-    val valid   = RegInit(False)
+    val valid = RegInit(False)
     val address = Reg(Resolver.this.address)
     val visible = RegInit(False) // to be sent
-    val first   = Reg(Bool())    // of the tile
-    val move    = !visible || io.pixels.ready
-    val last    = valid && move && address.andR
+    val first = Reg(Bool()) // of the tile
+    val move = !visible || io.pixels.ready
+    val last = valid && move && address.andR
   }
   val issue = (walking || clearing) && !(shown.valid && shown.address.andR)
   when(shown.move) {
-    shown.valid   := issue
+    shown.valid := issue
     shown.address := address
-    shown.first   := address === 0
+    shown.first := address === 0
     shown.visible := issue && !clearing && onScreen(address, position)
     when(issue) { address := address + 1 }
   }
   when(shown.last) {
-    walking  := False
+    walking := False
     clearing := False
     when(clearing) { clean := True } otherwise { pending := False }
   }
 
-  io.clear.active       := walking
-  io.clear.all          := clearing
-  io.clear.bank         := bank
-  io.clear.read         := shown.move
-  io.clear.readAddress  := address
-  io.clear.write        := shown.valid
+  io.clear.active := walking
+  io.clear.all := clearing
+  io.clear.bank := bank
+  io.clear.read := shown.move
+  io.clear.readAddress := address
+  io.clear.write := shown.valid
   io.clear.writeAddress := shown.address
-  io.clear.done         := shown.last && walking
-  io.clearColor         := color
+  io.clear.done := shown.last && walking
+  io.clearColor := color
 
   io.pixels.valid := shown.visible
   io.pixels.color := io.color

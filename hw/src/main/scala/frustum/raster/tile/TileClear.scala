@@ -13,7 +13,7 @@ import spinal.lib._
   */
 case class TileClear(config: RasterConfig) extends Bundle with IMasterSlave {
   val active, all, read, write, done = Bool()
-  val bank                           = UInt(1 bits)
-  val readAddress, writeAddress      = UInt(config.tileLog2Width + config.tileLog2Height bits)
-  override def asMaster(): Unit      = out(active, all, read, write, done, bank, readAddress, writeAddress)
+  val bank = UInt(1 bits)
+  val readAddress, writeAddress = UInt(config.tileLog2Width + config.tileLog2Height bits)
+  override def asMaster(): Unit = out(active, all, read, write, done, bank, readAddress, writeAddress)
 }

@@ -13,18 +13,19 @@ import spinal.lib._
   * @param drawnReads
   *   whether those who draw read it; otherwise `readData` means nothing
   */
-case class TileMemory(config: RasterConfig, width: Int, resolved: Boolean, drawnReads: Boolean = true) extends Component {
+case class TileMemory(config: RasterConfig, width: Int, resolved: Boolean, drawnReads: Boolean = true)
+    extends Component {
   val addressBits = config.tileLog2Width + config.tileLog2Height
-  val io          = new Bundle {
-    val readEnable   = in Bool ()
-    val readBank     = in UInt (1 bits)
-    val readAddress  = in UInt (addressBits bits)
-    val readData     = out Bits (width bits)
-    val writeEnable  = in Bits (2 bits) // a bit for each bank
+  val io = new Bundle {
+    val readEnable = in Bool ()
+    val readBank = in UInt (1 bits)
+    val readAddress = in UInt (addressBits bits)
+    val readData = out Bits (width bits)
+    val writeEnable = in Bits (2 bits) // a bit for each bank
     val writeAddress = in UInt (addressBits bits)
-    val writeData    = in Bits (width bits)
-    val clear        = slave(TileClear(config))
-    val clearValue   = in Bits (width bits)
+    val writeData = in Bits (width bits)
+    val clear = slave(TileClear(config))
+    val clearValue = in Bits (width bits)
     val resolvedData = resolved generate out(Bits(width bits))
   }
 
@@ -44,6 +45,6 @@ case class TileMemory(config: RasterConfig, width: Int, resolved: Boolean, drawn
     else memory.readSync(io.readAddress, io.readEnable)
   })
 
-  io.readData                   := data(RegNextWhen(io.readBank, io.readEnable))
+  io.readData := data(RegNextWhen(io.readBank, io.readEnable))
   if (resolved) io.resolvedData := data(io.clear.bank)
 }

@@ -21,9 +21,9 @@ class NearestSphere(
     shade: Option[SphereShade],
     anyRay: Boolean
 ) extends Area {
-  val HIT               = Payload(Bool())
-  val INDEX             = Payload(UInt(4 bits))
-  private val last      = line.nodes.last
+  val HIT = Payload(Bool())
+  val INDEX = Payload(UInt(4 bits))
+  private val last = line.nodes.last
   private val indexBits = log2Up(scene.spheres.size)
 
   /** The one whose centre is nearest along the ray. */
@@ -34,11 +34,11 @@ class NearestSphere(
     (!walkers.negative(s"sphere$i") && before, along, U(i, 4 bits))
   }
   private val (hit, _, index) = candidates.reduceLeft { (l, r) =>
-    val left  = l._1 && (!r._1 || l._2 <= r._2)
+    val left = l._1 && (!r._1 || l._2 <= r._2)
     val width = scala.math.max(l._2.getWidth, r._2.getWidth)
     (l._1 || r._1, Mux(left, l._2.resize(width), r._2.resize(width)), Mux(left, l._3, r._3))
   }
-  line(start)(HIT)   := hit
+  line(start)(HIT) := hit
   line(start)(INDEX) := index
 
   private def ofSphere(at: Node)(each: Int => Bits) =
@@ -57,8 +57,8 @@ class NearestSphere(
       form(s.io.power, "power", s.powerAge)
       s.io.square := walkers("square").asUInt.resized
       val ramps = scene.spheres.indices.map(s.format.ramp)
-      val at    = line.nodes(line.nodes.size - 2)(INDEX).resize(indexBits) @@ s.io.level
-      val size  = RayShade.Levels << indexBits
+      val at = line.nodes(line.nodes.size - 2)(INDEX).resize(indexBits) @@ s.io.level
+      val size = RayShade.Levels << indexBits
       // A channel that no sphere has needs no memory.
       Seq(16, 8, 0).map { shift =>
         val words = ramps.flatten.map(_ >> shift & 255).padTo(size, 0)

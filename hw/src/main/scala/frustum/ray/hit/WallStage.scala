@@ -11,12 +11,12 @@ import spinal.lib.misc.pipeline._
   * `WALL`, and `SURFACE`, which has the back wall where no quad lies, then the quads (both one hot), and the wall's `N`.
   */
 class WallStage(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline, start: Int) extends Area {
-  val WALL                   = Payload(Bits(Wall.all.size bits))
-  val SURFACE                = Payload(Bits(Wall.all.size + scene.quads.size bits))
-  val widthN                 = Wall.all.map(w => walkers.width(s"direction${w.axis}")).max
-  val N                      = Payload(UInt(widthN bits))
-  private val HITS           = Payload(Bits(Wall.all.size bits))
-  private val SIDES          = Payload(Bits(scene.quads.size bits))
+  val WALL = Payload(Bits(Wall.all.size bits))
+  val SURFACE = Payload(Bits(Wall.all.size + scene.quads.size bits))
+  val widthN = Wall.all.map(w => walkers.width(s"direction${w.axis}")).max
+  val N = Payload(UInt(widthN bits))
+  private val HITS = Payload(Bits(Wall.all.size bits))
+  private val SIDES = Payload(Bits(scene.quads.size bits))
   private val (test, select) = (line(start), line(start + 1))
 
   /** Of walls that meet in an edge, whether the ray meets p no later than q: k_q n_p >= k_p n_q, which is also the
@@ -32,12 +32,12 @@ class WallStage(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline, st
   }.toMap
   test(HITS) := Wall.all.map { w =>
     val backward = walkers.negative(s"direction${w.axis}")
-    val others   = Wall.all.filter(_.axis != w.axis).map { q =>
+    val others = Wall.all.filter(_.axis != w.axis).map { q =>
       if (w.index < q.index) before(w.index, q.index) else !before(q.index, w.index)
     }
     // The room has no wall at its front: its border there is the wall's own.
     val front = w.across.filter(u => !Wall.all.exists(q => q.axis == u && q.sign < 0))
-    val open  = front.map(u => !walkers.negative(s"across${w.index}_$u"))
+    val open = front.map(u => !walkers.negative(s"across${w.index}_$u"))
     (others ++ open).reduce(_ && _) && (if (w.sign > 0) !backward else backward)
   }.asBits()
   test(SIDES) := scene.quads.indices.map { i =>
@@ -45,8 +45,8 @@ class WallStage(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline, st
   }.asBits()
 
   private val normals = (0 to 2).map(a => walkers.kept(s"direction$a")(d => d))
-  private val first   = OHMasking.first(select(HITS))
-  select(WALL)    := first
+  private val first = OHMasking.first(select(HITS))
+  select(WALL) := first
   select(SURFACE) := {
     val quad = Mux(first.msb, OHMasking.first(select(SIDES)), B(0, scene.quads.size bits))
     quad ## (first.msb && !quad.orR) ## first.dropHigh(1)

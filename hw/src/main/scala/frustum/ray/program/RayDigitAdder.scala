@@ -12,29 +12,29 @@ class RayDigitAdder(multiplying: Bool, subtracting: Bool, digit: Bits, bitAt: UI
     first: Bool,
     second: Bool
 ) extends Area {
-  private val bits  = digit.getWidth
-  val kept          = Reg(UInt(bits bits))
-  val shiftedIn     = Reg(Bool()) // what the digit below gives when doubled
-  val carry         = Reg(Bool())
+  private val bits = digit.getWidth
+  val kept = Reg(UInt(bits bits))
+  val shiftedIn = Reg(Bool()) // what the digit below gives when doubled
+  val carry = Reg(Bool())
   val multiplierBit = Reg(Bool())
-  val subtract      = Mux(multiplying, top, subtracting)
-  val doubled       = Mux(multiplying, (kept ## shiftedIn).asUInt.resize(bits), kept)
-  val gate          = !multiplying || multiplierBit
-  val operand       = (digit.asUInt & U(bits bits, default -> gate)) ^ U(bits bits, default -> subtract)
-  val sum           = (doubled +^ operand) + carry.asUInt
+  val subtract = Mux(multiplying, top, subtracting)
+  val doubled = Mux(multiplying, (kept ## shiftedIn).asUInt.resize(bits), kept)
+  val gate = !multiplying || multiplierBit
+  val operand = (digit.asUInt & U(bits bits, default -> gate)) ^ U(bits bits, default -> subtract)
+  val sum = (doubled +^ operand) + carry.asUInt
 
   when(start)(carry := subtracting)
   when(bit) {
     multiplierBit := digit(bitAt)
-    carry         := top
-    shiftedIn     := False
+    carry := top
+    shiftedIn := False
   }
   when(first) {
     kept := digit.asUInt
     when(multiplying && top)(kept := 0)
   }
   when(second) {
-    carry     := sum.msb
+    carry := sum.msb
     shiftedIn := kept.msb
   }
 }

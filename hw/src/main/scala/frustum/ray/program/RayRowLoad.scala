@@ -6,6 +6,6 @@ import spinal.core._
 /** The words of a row for its walkers: first `clear` for a clock, then each word, `index` telling which, while `valid`. */
 case class RayRowLoad(program: RayProgram) extends Bundle {
   val clear, valid = Bool()
-  val index        = UInt(log2Up(program.loadWords.max(2)) bits)
-  val data         = Bits(program.wordWidth bits)
+  val index = UInt(log2Up(program.loadWords.max(2)) bits)
+  val data = Bits(program.wordWidth bits)
 }

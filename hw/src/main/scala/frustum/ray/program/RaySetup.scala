@@ -20,20 +20,20 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
   import timing.program._
   val io = new Bundle {
     val latch, line = in Bool ()
-    val inputs      = in(Vec(program.inputs.map(i => SInt(i.range.width bits))))
-    val load        = out(RayRowLoad(program))
-    val busy        = out Bool ()
+    val inputs = in(Vec(program.inputs.map(i => SInt(i.range.width bits))))
+    val load = out(RayRowLoad(program))
+    val busy = out Bool ()
   }
-  private val width                       = digits * digitBits
-  private val addressBits                 = log2Up(size)
-  private val bitBits                     = log2Up(width)
-  private val digitLog                    = log2Up(digitBits)
-  private val steps                       = frame ++ row
+  private val width = digits * digitBits
+  private val addressBits = log2Up(size)
+  private val bitBits = log2Up(width)
+  private val digitLog = log2Up(digitBits)
+  private val steps = frame ++ row
   private def late[T <: Data](that: T): T = if (fast) RegNext(that) else that
   require(!row.exists(_.op == RayStep.Multiply), "a row's steps are additions")
 
   private def digit(v: BigInt, d: Int) = v >> (d * digitBits) & ((BigInt(1) << digitBits) - 1)
-  val columns                          = Seq.tabulate(digits) { d =>
+  val columns = Seq.tabulate(digits) { d =>
     Mem(
       Bits(digitBits bits),
       size
@@ -41,53 +41,53 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
   }
   private def encoded(s: RayStep): BigInt =
     Seq(
-      s.op                    -> 2,
+      s.op -> 2,
       (multiplierBits(s) - 1) -> bitBits,
-      s.to                    -> addressBits,
-      s.a                     -> addressBits,
-      s.b                     -> addressBits
+      s.to -> addressBits,
+      s.a -> addressBits,
+      s.b -> addressBits
     )
       .foldLeft(BigInt(0)) { case (word, (v, bits)) => word << bits | v }
-  val steprom                     = Mem(Bits(2 + bitBits + 3 * addressBits bits), steps.size).initBigInt(steps.map(encoded))
-  val pc, end                     = Reg(UInt(log2Up(steps.size + 1) bits))
-  val instruction                 = late(steprom.readSync(pc.resize(log2Up(steps.size))))
+  val steprom = Mem(Bits(2 + bitBits + 3 * addressBits bits), steps.size).initBigInt(steps.map(encoded))
+  val pc, end = Reg(UInt(log2Up(steps.size + 1) bits))
+  val instruction = late(steprom.readSync(pc.resize(log2Up(steps.size))))
   private def address(place: Int) = instruction(place * addressBits, addressBits bits).asUInt
-  private val (b, a, to)          = (address(0), address(1), address(2))
-  private val topBit              = instruction(3 * addressBits, bitBits bits).asUInt
-  private val op                  = instruction(3 * addressBits + bitBits, 2 bits).asUInt
-  private val multiplying         = late(op === RayStep.Multiply)
-  private val subtracting         = late(op === RayStep.Subtract)
+  private val (b, a, to) = (address(0), address(1), address(2))
+  private val topBit = instruction(3 * addressBits, bitBits bits).asUInt
+  private val op = instruction(3 * addressBits + bitBits, 2 bits).asUInt
+  private val multiplying = late(op === RayStep.Multiply)
+  private val subtracting = late(op === RayStep.Subtract)
 
-  val count                             = Reg(UInt(log2Up(loadWords.max(inputs.size).max(2)) bits))
-  val place                             = Reg(UInt(bitBits - digitLog bits)) // of the digit
-  val bitPlace                          = Reg(UInt(bitBits bits))
-  private val lastPlace                 = if (digits == 1) True else place === digits - 1
+  val count = Reg(UInt(log2Up(loadWords.max(inputs.size).max(2)) bits))
+  val place = Reg(UInt(bitBits - digitLog bits)) // of the digit
+  val bitPlace = Reg(UInt(bitBits bits))
+  private val lastPlace = if (digits == 1) True else place === digits - 1
   private def digitOf(word: Bits): Bits = {
     val all = Vec.tabulate(digits)(d => word(d * digitBits, digitBits bits))
     if (digits == 1) all.head else all.read(place.resize(log2Up(digits)))
   }
   val readAddress = CombInit(a)
-  val read        = columns.map(_.readSync(readAddress)).reverse.reduce(_ ## _)
+  val read = columns.map(_.readSync(readAddress)).reverse.reduce(_ ## _)
 
   /** What the state's word is for, and when its digit has come. */
   val now = new Area {
     val start, bit, first, second, take = False
-    val top                             = Reg(Bool()) // the multiplier's highest bit, which counts negative
+    val top = Reg(Bool()) // the multiplier's highest bit, which counts negative
   }
   val due = new Area {
-    val start                        = late(now.start)
-    val bit                          = late(now.bit)
-    val first                        = late(now.first)
-    val second                       = late(now.second)
-    val take                         = late(now.take)
-    val top                          = late(now.top)
-    val at                           = late(place)
-    val bitAt                        = late(bitPlace.resize(digitLog))
-    val digit                        = late(digitOf(read))
-    private val n                    = count.resize(log2Up(inputs.size.max(2)))
+    val start = late(now.start)
+    val bit = late(now.bit)
+    val first = late(now.first)
+    val second = late(now.second)
+    val take = late(now.take)
+    val top = late(now.top)
+    val at = late(place)
+    val bitAt = late(bitPlace.resize(digitLog))
+    val digit = late(digitOf(read))
+    private val n = count.resize(log2Up(inputs.size.max(2)))
     private def ofInputs(f: => Bits) = if (inputs.isEmpty) B(0, 0 bits) else late(f)
-    val taken                        = ofInputs(digitOf(Vec(io.inputs.map(_.resize(width).asBits)).read(n)))
-    val takenTo                      = ofInputs(Vec(inputs.map(i => B(i.address, addressBits bits))).read(n))
+    val taken = ofInputs(digitOf(Vec(io.inputs.map(_.resize(width).asBits)).read(n)))
+    val takenTo = ofInputs(Vec(inputs.map(i => B(i.address, addressBits bits))).read(n))
   }
 
   val adder = new RayDigitAdder(multiplying, subtracting, due.digit, due.bitAt, due.top)(
@@ -97,13 +97,13 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
     due.second
   )
   val writeAddress = CombInit(to)
-  val writeData    = CombInit(adder.sum.resize(digitBits).asBits)
+  val writeData = CombInit(adder.sum.resize(digitBits).asBits)
   if (inputs.nonEmpty) when(due.take) {
     writeAddress := due.takenTo.asUInt
-    writeData    := due.taken
+    writeData := due.taken
   }
   // Registers mean nothing before their first clock under reset: the constants must outlast it.
-  private val writes                     = late(due.second || due.take && Bool(inputs.nonEmpty)) && !ClockDomain.current.isResetActive
+  private val writes = late(due.second || due.take && Bool(inputs.nonEmpty)) && !ClockDomain.current.isResetActive
   private val (toWord, toDigit, written) = (late(writeAddress), late(due.at), late(writeData))
   for ((column, d) <- columns.zipWithIndex)
     column.write(toWord, written, if (digits == 1) writes else writes && toDigit === d)
@@ -112,61 +112,61 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
   io.load.clear := late(RegNext(io.line) init False)
   io.load.valid := late(loading)
   io.load.index := late(RegNext(count.resize(io.load.index.getWidth)))
-  io.load.data  := late(read).resized
+  io.load.data := late(read).resized
 
   val fsm = new StateMachine {
-    val idle                                         = makeInstantEntry()
+    val idle = makeInstantEntry()
     val take, fetch, start, bit, first, second, load = new State
     take.whenIsActive {
       now.take := True
-      place    := place + 1
+      place := place + 1
       when(lastPlace) {
         place := 0
         count := count + 1
         when(count === scala.math.max(inputs.size - 1, 0))(goto(fetch))
       }
     }
-    private val waits   = Seq.fill(if (fast) RaySetupTiming.Waits else 0)(new State)
+    private val waits = Seq.fill(if (fast) RaySetupTiming.Waits else 0)(new State)
     private val settled = (waits :+ start).head
     for ((s, next) <- waits.zip(waits.drop(1) :+ start)) s.whenIsActive(goto(next))
     fetch.whenIsActive { when(pc === end)(goto(idle)).otherwise(goto(settled)) }
     start.whenIsActive {
       now.start := True
-      now.top   := True
-      place     := 0
-      bitPlace  := topBit
+      now.top := True
+      place := 0
+      bitPlace := topBit
       goto(first)
       when(multiplying) {
-        place       := (topBit >> digitLog).resized
+        place := (topBit >> digitLog).resized
         readAddress := b
         goto(bit)
       }
     }
     // The multiplier has been read: its bit, then the result so far.
     bit.whenIsActive {
-      now.bit     := True
-      place       := 0
+      now.bit := True
+      place := 0
       readAddress := to
       goto(first)
     }
     first.whenIsActive {
-      now.first   := True
+      now.first := True
       readAddress := Mux(multiplying, a, b)
       goto(second)
     }
     second.whenIsActive {
-      now.second  := True
-      place       := place + 1
+      now.second := True
+      place := place + 1
       readAddress := Mux(multiplying, to, a)
       goto(first)
       when(lastPlace) {
         pc := pc + 1
         goto(fetch)
         when(multiplying && bitPlace =/= 0) {
-          pc          := pc
-          bitPlace    := bitPlace - 1
-          now.top     := False
-          place       := ((bitPlace - 1) >> digitLog).resized
+          pc := pc
+          bitPlace := bitPlace - 1
+          now.top := False
+          place := ((bitPlace - 1) >> digitLog).resized
           readAddress := b
           goto(bit)
         }
@@ -174,10 +174,10 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
     }
     load.whenIsActive {
       readAddress := count.resized
-      loading     := True
-      count       := count + 1
+      loading := True
+      count := count + 1
       when(count === loadWords - 1) {
-        pc  := frame.size
+        pc := frame.size
         end := steps.size
         goto(fetch)
       }
@@ -187,8 +187,8 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
       when(io.latch) {
         count := 0
         place := 0
-        pc    := 0
-        end   := frame.size
+        pc := 0
+        end := frame.size
         goto(take)
       }
     }

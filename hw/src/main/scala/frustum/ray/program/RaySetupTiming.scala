@@ -8,7 +8,7 @@ import frustum.contract.ray.{RayProgram, RayStep}
   */
 case class RaySetupTiming(program: RayProgram, digitBits: Int, fast: Boolean = false) {
   import program._
-  val digits: Int   = ((wordWidth + digitBits - 1) / digitBits).max(if (fast) 2 else 1)
+  val digits: Int = ((wordWidth + digitBits - 1) / digitBits).max(if (fast) 2 else 1)
   private val waits = if (fast) RaySetupTiming.Waits else 0
 
   /** Bits of a multiplication's second operand; those beyond the words' width do not matter. */
@@ -18,12 +18,12 @@ case class RaySetupTiming(program: RayProgram, digitBits: Int, fast: Boolean = f
     2 + waits + (if (s.op == RayStep.Multiply) multiplierBits(s) * (1 + 2 * digits) else 2 * digits)
 
   /** After `latch`: until the inputs are taken, until all is done. */
-  val takeClocks: Int  = 1 + inputs.size.max(1) * digits
+  val takeClocks: Int = 1 + inputs.size.max(1) * digits
   val frameClocks: Int = takeClocks + frame.map(clocks).sum + 2 + waits
 
   /** After `line`: until the walkers are loaded, and from then on until the state has moved on. */
   val lineClocks: Int = loadWords + 4 + waits
-  val rowClocks: Int  = row.map(clocks).sum + 2 + waits
+  val rowClocks: Int = row.map(clocks).sum + 2 + waits
 }
 
 object RaySetupTiming {

@@ -6,8 +6,8 @@ import spinal.core._
 /** Where things are, in units; coordinates that the scene holds constant are not looked at. The camera is there if it moves. */
 case class RayMotionBundle(scene: RayScene) extends Bundle {
   val spheres = Vec.fill(scene.spheres.size)(RayPoint())
-  val quads   = Vec.fill(scene.quads.size)(RayPoint())
-  val camera  =
+  val quads = Vec.fill(scene.quads.size)(RayPoint())
+  val camera =
     !scene.camera.fixed generate Vec.fill(RayCameraRange.Vectors.size)(RayPoint()) // in the order of these
 
   private def point(of: RayMoving): RayPoint = of match {
@@ -26,7 +26,7 @@ case class RayMotionBundle(scene: RayScene) extends Bundle {
 }
 
 case class RayPoint() extends Bundle {
-  val x, y, z                = SInt(RayPoint.Bits bits)
+  val x, y, z = SInt(RayPoint.Bits bits)
   def apply(axis: Int): SInt = Seq(x, y, z)(axis)
 }
 

@@ -14,20 +14,20 @@ import spinal.lib._
   */
 case class SphereShade(format: RayShade, tech: Tech) extends Component {
   import format._
-  val towardsAge: Int   = 1 + FunctionUnit.Latency
-  val litAge: Int       = towardsAge + Multiplier16.Latency
-  val squareAge: Int    = litAge + 1 - FunctionUnit.Latency
+  val towardsAge: Int = 1 + FunctionUnit.Latency
+  val litAge: Int = towardsAge + Multiplier16.Latency
+  val squareAge: Int = litAge + 1 - FunctionUnit.Latency
   private val numberAge = litAge + 1 + Multiplier16.Latency
-  val powerAge: Int     = numberAge
-  val latency: Int      = powerAge + 2 + FunctionUnit.Latency + Multiplier16.Latency
+  val powerAge: Int = numberAge
+  val latency: Int = powerAge + 2 + FunctionUnit.Latency + Multiplier16.Latency
 
   val io = new Bundle {
-    val q       = in UInt (rootBits bits)
+    val q = in UInt (rootBits bits)
     val towards = in SInt (towardsBits bits)
-    val lit     = in SInt (litBits bits)
-    val square  = in UInt (squareBits bits)
-    val power   = in SInt (powerBits + 1 bits)
-    val level   = out UInt (RayShade.LevelBits bits)
+    val lit = in SInt (litBits bits)
+    val square = in UInt (squareBits bits)
+    val power = in SInt (powerBits + 1 bits)
+    val level = out UInt (RayShade.LevelBits bits)
   }
   private def right(v: SInt, by: Int): SInt = if (by >= 0) v >> by else v << -by
 
@@ -49,11 +49,11 @@ case class SphereShade(format: RayShade, tech: Tech) extends Component {
     Vec((0 to w.last).map(k => top(v |<< (w.step * k), 16))).read(n)
 
   val root = new Area {
-    val n     = zeros(io.q, RayShade.RootWindow)
+    val n = zeros(io.q, RayShade.RootWindow)
     val table = FunctionUnit(format.root, tech)
     table.io.x := RegNext(window(io.q, n, RayShade.RootWindow))
     private val late = Delay(n, towardsAge)
-    val value        = Vec((0 to RayShade.RootWindow.last).map(k =>
+    val value = Vec((0 to RayShade.RootWindow.last).map(k =>
       table.io.y |>> (RayShade.RootWindow.step / 2 * k)
     )).read(late)
   }
@@ -77,11 +77,11 @@ case class SphereShade(format: RayShade, tech: Tech) extends Component {
   }
   val distance = new Area {
     val square = RegNext((io.power << fraction) - (number.value << 1))
-    val m      = RegNext(number.value)
-    val lit    = m > 0 && square > 0 && RegNext(io.power > 0)
-    val d      = square.asUInt.resize(distanceBits)
-    val n      = zeros(d, RayShade.DistanceWindow)
-    val table  = FunctionUnit(format.distance, tech)
+    val m = RegNext(number.value)
+    val lit = m > 0 && square > 0 && RegNext(io.power > 0)
+    val d = square.asUInt.resize(distanceBits)
+    val n = zeros(d, RayShade.DistanceWindow)
+    val table = FunctionUnit(format.distance, tech)
     table.io.x := RegNext(window(d, n, RayShade.DistanceWindow))
     val scaled = Vec(
       (0 to RayShade.DistanceWindow.last).map(k =>
@@ -92,8 +92,8 @@ case class SphereShade(format: RayShade, tech: Tech) extends Component {
   }
   val scale = Multiplier16(tech, signedA = false, signedB = false)
   scale.io.enable := True
-  scale.io.a      := MemoryDelay(distance.scaled, 1 + FunctionUnit.Latency)
-  scale.io.b      := distance.table.io.y.asBits
+  scale.io.a := MemoryDelay(distance.scaled, 1 + FunctionUnit.Latency)
+  scale.io.b := distance.table.io.y.asBits
   private val product = scale.io.product.asUInt
   io.level := Mux(
     !distance.light,

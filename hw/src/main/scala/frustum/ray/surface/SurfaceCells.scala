@@ -15,18 +15,18 @@ import spinal.lib.misc.pipeline._
 class SurfaceCells(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline, walls: WallStage, start: Int)
     extends Area {
   private val surfaces = Surface.all(scene)
-  private val stages   = SurfaceCells.stages(scene)
-  private val select   = line(start + 1)
+  private val stages = SurfaceCells.stages(scene)
+  private val select = line(start + 1)
 
   /** Lowest bits of the number along coordinate 0 and 1, at node `start` + 1 + stages. */
   val bits: Seq[Bits] = (0 to 1).map { j =>
     val looking = surfaces.filter(_.bits(j) > 0)
-    val keep    = looking.map(_.bits(j)).maxOption.getOrElse(0)
+    val keep = looking.map(_.bits(j)).maxOption.getOrElse(0)
     if (keep == 0) B(0, 0 bits)
     else {
       def shifted(s: Surface) = walkers.width(s.forms(j)) - s.paint.cellBits
-      val width               = looking.map(shifted).max.max(1)
-      val offsets             =
+      val width = looking.map(shifted).max.max(1)
+      val offsets =
         looking.map(s => walkers.kept(s.forms(j))(v => (v >> s.paint.cellBits).resize(width).asUInt))
       val head = select.insert(MuxOH.or(
         looking.map(s => select(walls.SURFACE)(surfaces.indexOf(s))).asBits(),
@@ -34,9 +34,9 @@ class SurfaceCells(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline,
       ))
       val quotient = (0 until stages).foldLeft((head, width, Seq[Payload[Bool]]())) {
         case ((rest, width, found), k) =>
-          val node       = line(start + 2 + k)
-          val i          = stages - 1 - k
-          val wide       = scala.math.max(width, walls.widthN + i) + 1
+          val node = line(start + 2 + k)
+          val i = stages - 1 - k
+          val wide = scala.math.max(width, walls.widthN + i) + 1
           val difference = node(rest).resize(wide) - (node(walls.N) << i).resize(wide)
           // What is left is less than n 2^i.
           val left = scala.math.min(width, walls.widthN + i)

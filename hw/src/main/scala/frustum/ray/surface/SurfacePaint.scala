@@ -9,11 +9,11 @@ import spinal.lib._
 /** Colour of the wall or quad that is hit, at the pipeline's last node; 0 where none is. */
 class SurfacePaint(scene: RayScene, line: LockstepPipeline, walls: WallStage, cells: SurfaceCells)
     extends Area {
-  private val surfaces       = Surface.all(scene).zipWithIndex
+  private val surfaces = Surface.all(scene).zipWithIndex
   private val (before, last) = (line.nodes(line.nodes.size - 2), line.nodes.last)
-  private val bits           = cells.bits.map(b => if (b.getWidth == 0) b else last(before.insert(b)))
+  private val bits = cells.bits.map(b => if (b.getWidth == 0) b else last(before.insert(b)))
 
-  private def shown(index: Int): Bool                      = last(walls.SURFACE)(index)
+  private def shown(index: Int): Bool = last(walls.SURFACE)(index)
   private def channels(red: Bool, green: Bool, blue: Bool) =
     Seq(red, green, blue).flatMap(Seq.fill(8)(_)).reverse.asBits()
   private def where(shown: Bool, color: Bits): Bits = color & B(24 bits, default -> shown)
@@ -42,7 +42,7 @@ class SurfacePaint(scene: RayScene, line: LockstepPipeline, walls: WallStage, ce
         yield B(image.texel(column, row), 24 bits)
       def at(column: Int) =
         (cells.bits(1 - column) resize image.rowBits) ## (cells.bits(column) resize image.columnBits)
-      val turned  = on.filter(_._1.wall.column == 1)
+      val turned = on.filter(_._1.wall.column == 1)
       val address =
         if (turned.isEmpty) at(0)
         else if (turned.size == on.size) at(1)

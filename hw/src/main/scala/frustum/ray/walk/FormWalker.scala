@@ -15,17 +15,17 @@ import spinal.core._
 case class FormWalker(form: RayForm, program: RayProgram, fast: Boolean = false) extends Component {
   import form.{loaded, registers, start}
   val io = new Bundle {
-    val load  = in(RayRowLoad(program))
-    val step  = in Bool ()
+    val load = in(RayRowLoad(program))
+    val step = in Bool ()
     val value = out SInt (form.width bits)
   }
   private def late[T <: Data](that: T): T = if (fast) RegNext(that) else that
 
-  private def at(i: Int)         = late(io.load.valid && io.load.index === form.first + i)
-  private val loading            = late(io.load.valid)
-  private val clear              = late(io.load.clear)
-  private val word               = late(io.load.data.asSInt.resize(form.width))
-  private def constant(i: Int)   = wrapped(start(i).getOrElse(BigInt(0)))
+  private def at(i: Int) = late(io.load.valid && io.load.index === form.first + i)
+  private val loading = late(io.load.valid)
+  private val clear = late(io.load.clear)
+  private val word = late(io.load.data.asSInt.resize(form.width))
+  private def constant(i: Int) = wrapped(start(i).getOrElse(BigInt(0)))
   private def wrapped(v: BigInt) = {
     val modulo = v & ((BigInt(1) << form.width) - 1)
     S(if (modulo.testBit(form.width - 1)) modulo - (BigInt(1) << form.width) else modulo, form.width bits)
@@ -34,12 +34,12 @@ case class FormWalker(form: RayForm, program: RayProgram, fast: Boolean = false)
 
   /** A register that adds `by` when `moves`, and what it is after `clear` (and `again`). */
   private def sum(moves: Bool, by: SInt, first: SInt, again: Bool = False): SInt = {
-    val r          = Reg(SInt(form.width bits))
-    when(moves)(r          := r + by)
+    val r = Reg(SInt(form.width bits))
+    when(moves)(r := r + by)
     when(clear || again)(r := first)
     r
   }
-  private val zero                    = S(0, form.width bits)
+  private val zero = S(0, form.width bits)
   private def kept(moves: Bool): SInt = RegNextWhen(word, moves)
 
   io.value := ((registers, loaded) match {
@@ -58,7 +58,7 @@ case class FormWalker(form: RayForm, program: RayProgram, fast: Boolean = false)
       sum(io.step || at(1), step, zero)
     case _ =>
       val curve = kept(at(0) || at(1) || at(3))
-      val step  = sum(io.step || at(1) || at(3), curve, zero, again = at(2))
+      val step = sum(io.step || at(1) || at(3), curve, zero, again = at(2))
       sum(io.step || at(2), step, zero)
   })
 }

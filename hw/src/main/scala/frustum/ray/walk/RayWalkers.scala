@@ -17,11 +17,11 @@ class RayWalkers(config: RayConfig, load: RayRowLoad, line: LockstepPipeline, no
     val w = FormWalker(f, program, config.fast).setName("walk_" + f.name)
     w.io.load := load
     w.io.step := line(node(f.name)).isValid
-    f.name    -> w.io.value
+    f.name -> w.io.value
   }.toMap
 
-  def apply(form: String): SInt    = values(form)
-  def width(form: String): Int     = values(form).getWidth
+  def apply(form: String): SInt = values(form)
+  def width(form: String): Int = values(form).getWidth
   def negative(form: String): Bool = values(form).msb
 
   /** Something of a form as it is when looked at, for later nodes; along a row that it is constant on it needs no registers. */

@@ -17,46 +17,46 @@ case class CameraWrite() extends Bundle {
   */
 case class CameraMemory(c: VoxelConfig, initial: VoxelCamera) extends Component {
   val io = new Bundle {
-    val write  = slave(Flow(CameraWrite()))
+    val write = slave(Flow(CameraWrite()))
     val commit = in Bool ()
-    val take   = in Bool ()
-    val index  = in UInt (4 bits)
-    val value  = out SInt (VoxelCamera.DirectionWidth bits)
-    val axis   = in UInt (2 bits)
-    val eye    = out SInt (c.blockBits + c.eyeBits bits)
+    val take = in Bool ()
+    val index = in UInt (4 bits)
+    val value = out SInt (VoxelCamera.DirectionWidth bits)
+    val axis = in UInt (2 bits)
+    val eye = out SInt (c.blockBits + c.eyeBits bits)
   }
   val shown, newest = RegInit(U(0, 2 bits)) // banks; 0 is that of the start
-  val written       = RegInit(U(1, 2 bits)) // of 1 to 3, neither of these two
-  val next          = Mux(io.take, newest, shown)
+  val written = RegInit(U(1, 2 bits)) // of 1 to 3, neither of these two
+  val next = Mux(io.take, newest, shown)
   shown := next
   when(io.commit) {
-    newest  := written
+    newest := written
     written := written ^ Mux(next === 0, U(3), next) // the third of 1, 2, 3; until the first is taken 1 and 2 in turn
   }
 
   /** What registers hold at power up must not reach the bank of the start either. */
-  private val enable             = io.write.valid && written =/= 0
+  private val enable = io.write.valid && written =/= 0
   private def memory(width: Int) = {
     val numbers = initial.numbers.padTo(16, 0)
-    val mem     = Mem(
+    val mem = Mem(
       Bits(width bits),
       Seq.fill(4)(numbers).flatten.map(n => B(BigInt(n) & ((BigInt(1) << width) - 1), width bits))
     )
     mem.write(written @@ io.write.index, io.write.value.resize(width).asBits, enable)
     mem
   }
-  val all  = memory(VoxelCamera.DirectionWidth)
+  val all = memory(VoxelCamera.DirectionWidth)
   val eyes = memory(io.eye.getWidth)
   io.value := all.readSync(shown @@ io.index).asSInt
-  io.eye   := eyes.readSync(shown @@ io.axis.resize(4)).asSInt
+  io.eye := eyes.readSync(shown @@ io.axis.resize(4)).asSInt
 }
 
 object CameraMemory {
 
   /** Where the numbers of a vector begin. */
-  val Eye   = 0
-  val Look  = 3
-  val Base  = 6
+  val Eye = 0
+  val Look = 3
+  val Base = 6
   val Right = 9
-  val Down  = 12
+  val Down = 12
 }

@@ -11,21 +11,21 @@ import spinal.lib._
   */
 case class FacePicker(c: VoxelConfig, kinds: BlockTable, slots: Int, reach: Int) extends Component {
   val io = new Bundle {
-    val start  = in Bool ()
-    val hits   = slave(Flow(TexelHit(c, slots)))
+    val start = in Bool ()
+    val hits = slave(Flow(TexelHit(c, slots)))
     val picked = out(Bool())
-    val found  = out(PointedAt(c))
+    val found = out(PointedAt(c))
   }
-  val hit        = io.hits
+  val hit = io.hits
   val selectable = BlockFlags(kinds).where(_.selectable)(hit.id)
-  val found      = Reg(PointedAt(c))
+  val found = Reg(PointedAt(c))
   found.valid init False
   when(io.start)(found.valid := False)
   when(hit.valid && hit.pick && hit.shown && selectable && !found.valid && hit.far <= 256 * reach * reach) {
     found.valid := True
     found.block := hit.block
-    found.face  := hit.face
+    found.face := hit.face
   }
-  io.found  := found
+  io.found := found
   io.picked := RegNext(hit.valid && hit.pick && hit.last, False)
 }

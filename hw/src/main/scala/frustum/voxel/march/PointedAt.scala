@@ -10,5 +10,5 @@ import spinal.lib.misc.pipeline._
 case class PointedAt(c: VoxelConfig) extends Bundle {
   val valid = Bool()
   val block = Vec(UInt(c.size.logs.max bits), 3)
-  val face  = UInt(3 bits)
+  val face = UInt(3 bits)
 }

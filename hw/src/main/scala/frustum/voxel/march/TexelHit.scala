@@ -13,15 +13,15 @@ import spinal.lib.misc.pipeline._
   */
 case class TexelHit(c: VoxelConfig, slots: Int) extends Bundle {
   val pixel = UInt(c.pixelBits bits)
-  val pick  = Bool()
-  val slot  = UInt(log2Up(slots) bits)
-  val shown = Bool()                      // a face, and in view
-  val last  = Bool()
-  val id    = UInt(frustum.contract.voxel.BlockTable.IdBits bits)
-  val face  = UInt(3 bits)
+  val pick = Bool()
+  val slot = UInt(log2Up(slots) bits)
+  val shown = Bool() // a face, and in view
+  val last = Bool()
+  val id = UInt(frustum.contract.voxel.BlockTable.IdBits bits)
+  val face = UInt(3 bits)
   val block = Vec(UInt(c.size.logs.max bits), 3)
-  val u, v  = UInt(4 bits)
-  val far   = UInt(TexelHit.FarBits bits) // squared texels from the eye's texel
+  val u, v = UInt(4 bits)
+  val far = UInt(TexelHit.FarBits bits) // squared texels from the eye's texel
 }
 
 object TexelHit {

@@ -9,5 +9,5 @@ import spinal.lib.misc.pipeline._
 /** A pixel's colour, eight bits a channel. */
 case class VoxelColor(c: VoxelConfig) extends Bundle {
   val pixel = UInt(c.pixelBits bits)
-  val rgb   = Vec(UInt(8 bits), 3)
+  val rgb = Vec(UInt(8 bits), 3)
 }

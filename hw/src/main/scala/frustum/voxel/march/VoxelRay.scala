@@ -10,14 +10,14 @@ case class Direction() extends Bundle {
 
 /** A camera at a frame's start; see [[frustum.contract.voxel.VoxelCamera]]. */
 case class CameraPort(c: VoxelConfig) extends Bundle {
-  val eye                     = Vec(SInt(c.blockBits + c.eyeBits bits), 3)
+  val eye = Vec(SInt(c.blockBits + c.eyeBits bits), 3)
   val look, base, right, down = Direction()
 }
 
 /** The direction of a pixel. `pick` marks the ray that finds the block pointed at; it has no pixel. */
 case class PixelRay(c: VoxelConfig) extends Bundle {
-  val pixel     = UInt(c.pixelBits bits)
-  val pick      = Bool()
+  val pixel = UInt(c.pixelBits bits)
+  val pick = Bool()
   val direction = Direction()
 }
 
@@ -28,12 +28,12 @@ case class PixelRay(c: VoxelConfig) extends Bundle {
   * `slopes`. A position is one unit low where `low` says so, which puts crossings at one time into the order x, y, z.
   */
 case class VoxelRay(c: VoxelConfig) extends Bundle {
-  val pixel    = UInt(c.pixelBits bits)
-  val pick     = Bool()
+  val pixel = UInt(c.pixelBits bits)
+  val pick = Bool()
   val mirrored = Bits(3 bits)
-  val fast     = UInt(2 bits)
-  val slopes   = Vec(UInt(c.slopeBits bits), 2)
-  val low      = Bits(2 bits)
+  val fast = UInt(2 bits)
+  val slopes = Vec(UInt(c.slopeBits bits), 2)
+  val low = Bits(2 bits)
 }
 
 /** Where a ray is: `at` along the two other axes at the border `plane` of the fast one, and whether it has `past` borders of
@@ -41,15 +41,15 @@ case class VoxelRay(c: VoxelConfig) extends Bundle {
   */
 case class VoxelPlace(c: VoxelConfig) extends Bundle {
   val plane = SInt(c.blockBits bits)
-  val at    = Vec(SInt(c.blockBits + c.fractionBits bits), 2)
-  val past  = Bits(2 bits)
+  val at = Vec(SInt(c.blockBits + c.fractionBits bits), 2)
+  val past = Bits(2 bits)
 }
 
 /** A ray ready to march: up to border `end`, where all it could meet is out of view. */
 case class RayStart(c: VoxelConfig) extends Bundle {
-  val ray   = VoxelRay(c)
+  val ray = VoxelRay(c)
   val place = VoxelPlace(c)
-  val end   = SInt(c.endBits bits)
+  val end = SInt(c.endBits bits)
 }
 
 /** Something a ray meets: a face, unless it has left the world or the view. `last`: nothing of this ray follows.
@@ -57,12 +57,12 @@ case class RayStart(c: VoxelConfig) extends Bundle {
   * @param slots rays that march at one time
   */
 case class FaceHit(c: VoxelConfig, slots: Int) extends Bundle {
-  val ray   = VoxelRay(c)
-  val slot  = UInt(log2Up(slots) bits)
-  val face  = Bool()
-  val last  = Bool()
-  val id    = UInt(frustum.contract.voxel.BlockTable.IdBits bits)
-  val entry = UInt(2 bits)                       // axis of the border crossed: 0 the fast one, 1 and 2 the others
+  val ray = VoxelRay(c)
+  val slot = UInt(log2Up(slots) bits)
+  val face = Bool()
+  val last = Bool()
+  val id = UInt(frustum.contract.voxel.BlockTable.IdBits bits)
+  val entry = UInt(2 bits) // axis of the border crossed: 0 the fast one, 1 and 2 the others
   val block = Vec(UInt(c.size.logs.max bits), 3) // in the order of `entry`, mirrored
-  val at    = Vec(SInt(c.blockBits + c.fractionBits bits), 2)
+  val at = Vec(SInt(c.blockBits + c.fractionBits bits), 2)
 }

@@ -17,34 +17,34 @@ case class LayerComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelText
     extends Component {
   val io = new Bundle {
     val pointedAt = in(PointedAt(c))
-    val up        = slave(Flow(TexelHit(c, slots)))
-    val down      = master(Flow(VoxelColor(c)))
+    val up = slave(Flow(TexelHit(c, slots)))
+    val down = master(Flow(VoxelColor(c)))
   }
   private val line = new LockstepPipeline(11)
-  private val sky  = Seq(16, 8, 0).map(at => c.sky >> at & 255)
+  private val sky = Seq(16, 8, 0).map(at => c.sky >> at & 255)
 
-  val HIT    = Payload(TexelHit(c, slots))
+  val HIT = Payload(TexelHit(c, slots))
   val CHOSEN = Payload(Bool())
   val BEYOND = Payload(UInt(TexelHit.FarBits bits))
-  val FOG    = Payload(UInt(9 bits))
-  val ALPHA  = Payload(UInt(5 bits)) // of 16
-  val LIT    = Payload(Vec(UInt(8 bits), 3))
-  val SHOWN  = Payload(Vec(UInt(8 bits), 3))
-  val VEIL   = Payload(Vec(SInt(18 bits), 3))
-  val COLOR  = Payload(Vec(UInt(8 bits), 3))
+  val FOG = Payload(UInt(9 bits))
+  val ALPHA = Payload(UInt(5 bits)) // of 16
+  val LIT = Payload(Vec(UInt(8 bits), 3))
+  val SHOWN = Payload(Vec(UInt(8 bits), 3))
+  val VEIL = Payload(Vec(SInt(18 bits), 3))
+  val COLOR = Payload(Vec(UInt(8 bits), 3))
   val WEIGHT = Payload(UInt(8 bits))
-  val LIGHT  = Payload(Vec(UInt(16 bits), 3))
-  val TOTAL  = Payload(Vec(UInt(16 bits), 3))
-  val PIXEL  = Payload(Vec(UInt(8 bits), 3))
+  val LIGHT = Payload(Vec(UInt(16 bits), 3))
+  val TOTAL = Payload(Vec(UInt(16 bits), 3))
+  val PIXEL = Payload(Vec(UInt(8 bits), 3))
 
   line(0).valid := io.up.valid
-  line(0)(HIT)  := io.up.payload
+  line(0)(HIT) := io.up.payload
 
   val tables = VoxelTables(kinds, textures)
-  tables.io.id   := line(0)(HIT).id
+  tables.io.id := line(0)(HIT).id
   tables.io.face := line(0)(HIT).face
-  tables.io.u    := line(0)(HIT).u
-  tables.io.v    := line(0)(HIT).v
+  tables.io.u := line(0)(HIT).u
+  tables.io.v := line(0)(HIT).v
   private val rgba = tables.io.rgba // at node 3
 
   val distance = new Area {
@@ -58,11 +58,11 @@ case class LayerComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelText
   }
 
   val lit = new Area {
-    val node  = line(3)
+    val node = line(3)
     val alpha = rgba(3 downto 0).asUInt
     node(ALPHA) := Mux(node(HIT).shown, alpha.resize(5) + alpha.msb.asUInt, U(16))
     val lights = VoxelConfig.Light.distinct
-    val which  = node(HIT).face.mux(
+    val which = node(HIT).face.mux(
       (0 until 6).map(f => f -> U(lights.indexOf(VoxelConfig.Light(f)), 2 bits)) :+ (default -> U(
         0,
         2 bits
@@ -92,9 +92,9 @@ case class LayerComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelText
 
   /** How much of each ray is still to be filled, of 255. A ray's last layer leaves its slot ready for another ray. */
   val clear = new Area {
-    val node   = line(7)
-    val slot   = node(HIT).slot
-    val left   = Vec.fill(slots)(RegInit(U(255, 8 bits)))
+    val node = line(7)
+    val slot = node(HIT).slot
+    val left = Vec.fill(slots)(RegInit(U(255, 8 bits)))
     val weight = (left(slot) * node(ALPHA) >> 4).resize(8)
     node(WEIGHT) := weight
     when(node.isValid)(left(slot) := Mux(node(HIT).last, U(255, 8 bits), left(slot) - weight))
@@ -107,7 +107,7 @@ case class LayerComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelText
     val slot = node(HIT).slot
     for (i <- 0 to 2) {
       val sums = Vec.fill(slots)(RegInit(U(0, 16 bits)))
-      val sum  = sums(slot) + node(LIGHT)(i)
+      val sum = sums(slot) + node(LIGHT)(i)
       node(TOTAL)(i) := sum
       when(node.isValid)(sums(slot) := Mux(node(HIT).last, U(0, 16 bits), sum))
     }
@@ -121,7 +121,7 @@ case class LayerComposite(c: VoxelConfig, kinds: BlockTable, textures: VoxelText
     }
     io.down.valid := line(11).isValid && line(11)(HIT).last && !line(11)(HIT).pick
     io.down.pixel := line(11)(HIT).pixel
-    io.down.rgb   := line(11)(PIXEL)
+    io.down.rgb := line(11)(PIXEL)
   }
   line.build()
 }

@@ -12,42 +12,42 @@ import spinal.lib._
   */
 case class PixelRays(c: VoxelConfig) extends Component {
   val io = new Bundle {
-    val start  = in Bool ()
+    val start = in Bool ()
     val picked = in Bool ()
     val camera = in(CameraPort(c))
-    val down   = master(Stream(PixelRay(c)))
-    val busy   = out Bool ()
+    val down = master(Stream(PixelRay(c)))
+    val busy = out Bool ()
   }
   val picking, waiting, scanning = RegInit(False)
-  val pixel                      = Reg(UInt(c.pixelBits bits))
-  val column                     = Reg(UInt(log2Up(c.width) bits))
-  val row, now                   = Reg(Direction())
+  val pixel = Reg(UInt(c.pixelBits bits))
+  val column = Reg(UInt(log2Up(c.width) bits))
+  val row, now = Reg(Direction())
 
-  io.busy           := picking || waiting || scanning
-  io.down.valid     := picking || scanning
-  io.down.pick      := picking
-  io.down.pixel     := pixel
+  io.busy := picking || waiting || scanning
+  io.down.valid := picking || scanning
+  io.down.pick := picking
+  io.down.pixel := pixel
   io.down.direction := now
 
   when(io.start && !io.busy) {
     picking := True
-    now     := io.camera.look
+    now := io.camera.look
   }
   when(picking && io.down.ready) {
     picking := False
     waiting := True
   }
   when(waiting && io.picked) {
-    waiting  := False
+    waiting := False
     scanning := True
-    pixel    := 0
-    column   := 0
-    row      := io.camera.base
-    now      := io.camera.base
+    pixel := 0
+    column := 0
+    row := io.camera.base
+    now := io.camera.base
   }
   when(scanning && io.down.ready) {
-    pixel                         := pixel + 1
-    column                        := column + 1
+    pixel := pixel + 1
+    column := column + 1
     for (k <- 0 to 2) now.axes(k) := now.axes(k) + io.camera.right.axes(k)
     when(column === c.width - 1) {
       column := 0

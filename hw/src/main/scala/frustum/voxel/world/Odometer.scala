@@ -4,7 +4,7 @@ import spinal.core._
 
 /** Counts through a box from (0, 0, 0), the last axis fastest, to `ends`. */
 class Odometer(ends: Seq[Int]) extends Area {
-  val at   = Vec(ends.map(n => Reg(UInt(log2Up(n + 1) bits)) init 0))
+  val at = Vec(ends.map(n => Reg(UInt(log2Up(n + 1) bits)) init 0))
   val full = ends.zip(at).map { case (n, a) => a === n }
 
   /** At the last place; the next step goes back to the first. */

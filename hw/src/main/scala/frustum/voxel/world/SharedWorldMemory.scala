@@ -10,17 +10,17 @@ import spinal.lib._
   */
 case class SharedWorldMemory(c: VoxelConfig, tech: Tech) extends Component {
   val io = new Bundle {
-    val read    = slave(WorldReadBus(c))
+    val read = slave(WorldReadBus(c))
     val granted = out Bool ()
-    val write   = slave(Flow(WorldWrite(c)))
+    val write = slave(Flow(WorldWrite(c)))
   }
-  val ram  = SinglePortRam(c.size.blocks / 2, 16, tech, maskBits = 8)
+  val ram = SinglePortRam(c.size.blocks / 2, 16, tech, maskBits = 8)
   val word = io.write.word.resize(8)
-  ram.io.enable    := True
-  ram.io.write     := io.write.valid
-  ram.io.address   := Mux(io.write.valid, io.write.address, io.read.address) >> 1
+  ram.io.enable := True
+  ram.io.write := io.write.valid
+  ram.io.address := Mux(io.write.valid, io.write.address, io.read.address) >> 1
   ram.io.writeData := word ## word
-  ram.io.mask      := io.write.address.lsb ## !io.write.address.lsb
-  io.granted       := !io.write.valid
-  io.read.word     := ram.io.readData.subdivideIn(8 bits)(RegNext(io.read.address.lsb).asUInt).resized
+  ram.io.mask := io.write.address.lsb ## !io.write.address.lsb
+  io.granted := !io.write.valid
+  io.read.word := ram.io.readData.subdivideIn(8 bits)(RegNext(io.read.address.lsb).asUInt).resized
 }

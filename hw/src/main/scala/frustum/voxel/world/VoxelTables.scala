@@ -8,12 +8,12 @@ import spinal.core._
   */
 case class VoxelTables(kinds: BlockTable, textures: VoxelTextures) extends Component {
   val io = new Bundle {
-    val id   = in UInt (BlockTable.IdBits bits)
+    val id = in UInt (BlockTable.IdBits bits)
     val face = in UInt (3 bits)
     val u, v = in UInt (4 bits)
     val rgba = out Bits (16 bits)
   }
-  private def rom(bits: Int, words: Seq[Int])                  = Mem(Bits(bits bits), words.map(B(_, bits bits)))
+  private def rom(bits: Int, words: Seq[Int]) = Mem(Bits(bits bits), words.map(B(_, bits bits)))
   private def each(of: IndexedSeq[IndexedSeq[Int]], size: Int) =
     (0 until VoxelTextures.Most).flatMap(t => if (t < of.length) of(t) else Seq.fill(size)(0))
 
@@ -24,6 +24,6 @@ case class VoxelTables(kinds: BlockTable, textures: VoxelTextures) extends Compo
     }
   )
   val number = byId.readSync(io.id @@ io.face)
-  val index  = rom(4, each(textures.indices, 256)).readSync((number ## RegNext(io.v) ## RegNext(io.u)).asUInt)
+  val index = rom(4, each(textures.indices, 256)).readSync((number ## RegNext(io.v) ## RegNext(io.u)).asUInt)
   io.rgba := rom(16, each(textures.palettes, 16)).readSync((RegNext(number) ## index).asUInt)
 }

@@ -14,7 +14,7 @@ final case class BenchOptions(what: String = "", seed: Long = 1, positions: Int 
 
 /** `bench raster`: clocks of the rasterizer on standard loads, beside the peer's. */
 object BenchCommand extends CommandLine {
-  val name    = "bench"
+  val name = "bench"
   val summary = "measures clocks of standard loads; writes out/bench/raster.json"
 
   private val parser: OParser[_, BenchOptions] = {
@@ -24,7 +24,9 @@ object BenchCommand extends CommandLine {
       programName("./sbt bench"),
       head(s"bench: $summary"),
       arg[String]("raster").optional().action((v, o) => o.copy(what = v)).text("what to measure: raster"),
-      opt[Long]("seed")(Arguments.seed).valueName("N").action((v, o) => o.copy(seed = v)).text("of the positions (default 1)"),
+      opt[Long]("seed")(
+        Arguments.seed
+      ).valueName("N").action((v, o) => o.copy(seed = v)).text("of the positions (default 1)"),
       opt[Int]("positions")(Arguments.count).valueName("N").action((v, o) => o.copy(positions = v))
         .text("random positions for each average (default 200)"),
       note("  --help                   prints this")
@@ -34,7 +36,7 @@ object BenchCommand extends CommandLine {
   def run(args: Seq[String]): Int = Arguments.parse(name, parser, args, BenchOptions()).fold(0) { o =>
     if (o.what != "raster") throw InputError(s"argument: there is no bench '${o.what}'; write bench raster")
     val figures = new RasterBench(o.seed, o.positions, step => println(s"bench raster: $step")).run()
-    val file    = Paths.get("out", "bench", "raster.json")
+    val file = Paths.get("out", "bench", "raster.json")
     OutputFile.writeText(file, ujson.write(json(o, figures), indent = 2) + "\n")
     println(table(figures))
     println(s"wrote $file")
@@ -42,22 +44,22 @@ object BenchCommand extends CommandLine {
   }
 
   private def json(o: BenchOptions, f: RasterFigures): ujson.Obj = ujson.Obj(
-    "command"                  -> name,
-    "version"                  -> BuildInfo.version,
-    "seed"                     -> o.seed.toDouble,
-    "engine"                   -> "pipeline",
-    "positions"                -> o.positions,
+    "command" -> name,
+    "version" -> BuildInfo.version,
+    "seed" -> o.seed.toDouble,
+    "engine" -> "pipeline",
+    "positions" -> o.positions,
     "fullScreenClocksPerPixel" -> f.fullScreenClocksPerPixel,
-    "setupClocks"              -> f.setupClocks,
-    "tileRebaseClocks"         -> f.tileRebaseClocks,
-    "rightTriangleClocks"      -> ujson.Obj.from(f.rightTriangleClocks.map { case (n, c) => n.toString -> ujson.Num(c) }),
-    "randomIn16Clocks"         -> f.randomIn16Clocks,
-    "diagonalSliverClocks"     -> f.diagonalSliverClocks,
-    "needleClocksPerPixel"     -> f.needleClocksPerPixel,
-    "bytesPerTriangle"         -> f.bytesPerTriangle,
-    "cubeClocksPerFrame"       -> f.cubeClocksPerFrame,
-    "textureUploadClocks"      -> f.textureUploadClocks,
-    "clearClocksPerFrame"      -> f.clearClocksPerFrame
+    "setupClocks" -> f.setupClocks,
+    "tileRebaseClocks" -> f.tileRebaseClocks,
+    "rightTriangleClocks" -> ujson.Obj.from(f.rightTriangleClocks.map { case (n, c) => n.toString -> ujson.Num(c) }),
+    "randomIn16Clocks" -> f.randomIn16Clocks,
+    "diagonalSliverClocks" -> f.diagonalSliverClocks,
+    "needleClocksPerPixel" -> f.needleClocksPerPixel,
+    "bytesPerTriangle" -> f.bytesPerTriangle,
+    "cubeClocksPerFrame" -> f.cubeClocksPerFrame,
+    "textureUploadClocks" -> f.textureUploadClocks,
+    "clearClocksPerFrame" -> f.clearClocksPerFrame
   )
 
   /** What the peer takes for the same, where it is known. */
@@ -78,7 +80,7 @@ object BenchCommand extends CommandLine {
       ("empty frame", f.clearClocksPerFrame, Some(2.0 * 240 * 320))
     )
     def number(v: Double) = (if (v < 100) "%,.2f" else "%,.0f").formatLocal(Locale.ROOT, v)
-    val cells             = Seq("clocks", "here", "the peer", "peer / here") +: rows.map { case (name, here, peer) =>
+    val cells = Seq("clocks", "here", "the peer", "peer / here") +: rows.map { case (name, here, peer) =>
       Seq(name, number(here), peer.fold("-")(number), peer.fold("-")(p => "%.2f".formatLocal(Locale.ROOT, p / here)))
     }
     cells.map(r => r.head.padTo(32, ' ') + r.tail.map(c => c.reverse.padTo(12, ' ').reverse).mkString).mkString("\n")

@@ -12,7 +12,7 @@ import java.nio.file.{Files, Path, Paths}
   * `TOP.json` there. With `--ecp5` the figures on another maker's part, `TOP-ecp5.json`.
   */
 object BitstreamCommand extends CommandLine {
-  val name    = "bitstream"
+  val name = "bitstream"
   val summary =
     "builds a board's top; writes out/bitstream/TOP.bin (Arty: .fasm) and the figures to out/bitstream/TOP.json"
 
@@ -20,7 +20,7 @@ object BitstreamCommand extends CommandLine {
 
   def run(args: Seq[String]): Int =
     TopArguments.parse(parser, args).fold(0) { arguments =>
-      val top       = if (arguments.ecp5) arguments.find.onEcp5 else arguments.find
+      val top = if (arguments.ecp5) arguments.find.onEcp5 else arguments.find
       val directory = Paths.get("out", "bitstream")
       Files.createDirectories(directory)
       // What an earlier run left would pass for this run's if this one failed.
@@ -28,7 +28,7 @@ object BitstreamCommand extends CommandLine {
         Files.deleteIfExists(directory.resolve(s"${top.name}.$kind"))
       )
       val report = build(top, arguments.seeds, arguments.placer, directory)
-      val file   = directory.resolve(s"${top.name}.json")
+      val file = directory.resolve(s"${top.name}.json")
       OutputFile.writeText(file, ujson.write(report.json(BuildInfo.version), indent = 2) + "\n")
       println(s"wrote $file")
       verdict(report)

@@ -43,7 +43,7 @@ object BudgetMeasures {
     val run =
       SceneRun.still(Scenes.byName(name), RasterConfig(), Engines.byName("model"), EngineOptions(1, None))
     val report = RenderReport.json("budgets", 1, run.figures((_, _) => ()))
-    val still  = for ((group, metrics) <- rasterMetrics; metric <- metrics)
+    val still = for ((group, metrics) <- rasterMetrics; metric <- metrics)
       yield Measured(name, s"$group.$metric", InfinityAsNull.read(report(group)(metric)))
     still ++ pan(name)
   }
@@ -68,7 +68,7 @@ object BudgetMeasures {
   }
 
   private def hills(leaps: String): ujson.Obj = {
-    val o     = VoxelOptions(size = (160, 120), engine = "model", leaps = Some(leaps))
+    val o = VoxelOptions(size = (160, 120), engine = "model", leaps = Some(leaps))
     val scene = VoxelScenes(o)
     var drawn = Seq.empty[VoxelDrawn]
     new VoxelRun(
@@ -84,10 +84,10 @@ object BudgetMeasures {
 
   /** States of a game that plays itself, far apart. */
   private def pong(): Seq[Measured] = {
-    val config  = PongScenes.config(VideoMode.Vga640x480, None)
+    val config = PongScenes.config(VideoMode.Vga640x480, None)
     val picture = new RayPicture(config.scene, config.mode.width, config.mode.height)
-    val judge   = new RayJudge(config.scene, config.mode.width, config.mode.height)
-    val states  = Iterator.iterate(
+    val judge = new RayJudge(config.scene, config.mode.width, config.mode.height)
+    val states = Iterator.iterate(
       PongGame.start
     )(g => g.tick(AutoPlayer(g))).grouped(PongTicks).map(_.head).take(PongStates)
     val sum = states.map { game =>
@@ -96,13 +96,13 @@ object BudgetMeasures {
     }.foldLeft(RayCounts.none)(_ + _)
     Seq(
       "silhouettePixelsWrong" -> sum.silhouettePixelsWrong.toDouble,
-      "shadowPixelsWrong"     -> sum.shadowPixelsWrong.toDouble,
-      "objectPixelsWrong"     -> sum.objectPixelsWrong.toDouble,
-      "checkerCellsWrong"     -> sum.checkerCellsWrong.toDouble,
-      "maxColourError"        -> sum.maxColourError,
-      "psnr"                  -> sum.psnr.getOrElse(Double.PositiveInfinity)
+      "shadowPixelsWrong" -> sum.shadowPixelsWrong.toDouble,
+      "objectPixelsWrong" -> sum.objectPixelsWrong.toDouble,
+      "checkerCellsWrong" -> sum.checkerCellsWrong.toDouble,
+      "maxColourError" -> sum.maxColourError,
+      "psnr" -> sum.psnr.getOrElse(Double.PositiveInfinity)
     ).map { case (metric, value) => Measured("pong", metric, value) }
   }
-  private val PongTicks  = 37
+  private val PongTicks = 37
   private val PongStates = 4
 }

@@ -16,7 +16,7 @@ final case class BudgetsOptions(
 
 /** `budgets`: every scene's figures against the bounds of the table in the tree. */
 object BudgetsCommand extends CommandLine {
-  val name    = "budgets"
+  val name = "budgets"
   val summary = "measures every scene against its bounds in sim/budgets.json; writes out/budgets"
 
   private val parser: OParser[_, BudgetsOptions] = {
@@ -39,9 +39,9 @@ object BudgetsCommand extends CommandLine {
   def run(args: Seq[String]): Int = Arguments.parse(name, parser, args, BudgetsOptions()).fold(0)(budgets)
 
   private def budgets(o: BudgetsOptions): Int = {
-    val table    = BudgetTable.read(o.table)
+    val table = BudgetTable.read(o.table)
     val progress = Progress(name, BudgetMeasures.scenes.length)
-    val values   =
+    val values =
       try BudgetMeasures.scenes.flatMap { scene =>
           val v = BudgetMeasures(scene); progress.step(); v
         }
@@ -61,23 +61,23 @@ object BudgetsCommand extends CommandLine {
 
   private def write(out: Path, rows: Seq[Budget], failures: Seq[String]): Unit = {
     def text(v: Double) = if (v.isInfinite) "equal" else BigDecimal(v).toString
-    val csv             = "scene,metric,bound,today,met" +: rows.map(b =>
+    val csv = "scene,metric,bound,today,met" +: rows.map(b =>
       Seq(b.scene, b.metric, text(b.bound), text(b.today), b.met.toString).mkString(",")
     )
     val report = ujson.Obj(
-      "command"  -> name,
-      "version"  -> BuildInfo.version,
-      "seed"     -> 1,
-      "engine"   -> "model",
-      "met"      -> failures.isEmpty,
+      "command" -> name,
+      "version" -> BuildInfo.version,
+      "seed" -> 1,
+      "engine" -> "model",
+      "met" -> failures.isEmpty,
       "failures" -> failures,
-      "budgets"  -> rows.map(b =>
+      "budgets" -> rows.map(b =>
         ujson.Obj(
-          "scene"  -> b.scene,
+          "scene" -> b.scene,
           "metric" -> b.metric,
-          "bound"  -> InfinityAsNull.write(b.bound),
-          "today"  -> InfinityAsNull.write(b.today),
-          "met"    -> b.met
+          "bound" -> InfinityAsNull.write(b.bound),
+          "today" -> InfinityAsNull.write(b.today),
+          "met" -> b.met
         )
       )
     )

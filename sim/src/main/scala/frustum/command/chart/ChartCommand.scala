@@ -19,10 +19,10 @@ final case class ChartOptions(
 
 /** `chart`: error against cost, family by family. */
 object ChartCommand extends CommandLine {
-  val name    = "chart"
+  val name = "chart"
   val summary = "charts accuracy against cost; writes the page out/chart/index.html"
 
-  private val names                            = ChartFamily.all.map(_.name)
+  private val names = ChartFamily.all.map(_.name)
   private val parser: OParser[_, ChartOptions] = {
     val builder = OParser.builder[ChartOptions]
     import builder._
@@ -45,7 +45,7 @@ object ChartCommand extends CommandLine {
   private def chart(o: ChartOptions): Int = {
     val families = o.family.fold(ChartFamily.all)(Seq(_))
     val progress = Progress(name, families.length)
-    val charts   =
+    val charts =
       try {
         val costs = Option.when(o.synthesis)(new UnitCosts(step => println(s"chart: $step")))
         families.flatMap { family =>
@@ -73,22 +73,22 @@ object ChartCommand extends CommandLine {
   private def json(charts: Seq[Chart]) = ujson.Obj(
     "command" -> name,
     "version" -> BuildInfo.version,
-    "seed"    -> 1,
-    "engine"  -> "model",
-    "charts"  -> charts.map { c =>
+    "seed" -> 1,
+    "engine" -> "model",
+    "charts" -> charts.map { c =>
       ujson.Obj(
-        "name"      -> c.name,
-        "costAxis"  -> c.costAxis,
+        "name" -> c.name,
+        "costAxis" -> c.costAxis,
         "errorAxis" -> c.errorAxis,
-        "points"    -> c.points.map { p =>
+        "points" -> c.points.map { p =>
           val point = ujson.Obj(
-            "method"  -> p.method,
+            "method" -> p.method,
             "setting" -> p.setting,
-            "cost"    -> p.cost,
-            "error"   -> p.error,
+            "cost" -> p.cost,
+            "error" -> p.error,
             "shipped" -> c.shipped.contains(p),
-            "peer"    -> c.peer.contains(p),
-            "front"   -> c.front.contains(p)
+            "peer" -> c.peer.contains(p),
+            "front" -> c.front.contains(p)
           )
           for (unit <- p.hardware; (figure, Some(value)) <- unit.figures) point(figure) = value
           point

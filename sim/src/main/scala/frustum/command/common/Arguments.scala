@@ -45,7 +45,7 @@ object Arguments {
   /** WIDTHxHEIGHT. */
   val size: Read[(Int, Int)] = Read.reads {
     case s"${w}x$h" if w.toIntOption.exists(_ > 0) && h.toIntOption.exists(_ > 0) => (w.toInt, h.toInt)
-    case text                                                                     => refuse(s"'$text' is not a size such as 240x320")
+    case text => refuse(s"'$text' is not a size such as 240x320")
   }
 
   /** 0xRRGGBB from six hexadecimal digits. */

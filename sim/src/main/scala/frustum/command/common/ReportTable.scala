@@ -7,25 +7,25 @@ object ReportTable {
 
   /** Heading, and the figure as it is shown; "-" where the report has none. */
   val columns: Seq[(String, ujson.Obj => String)] = Seq(
-    "triangles"         -> (r => whole(r, "trianglesDrawn")),
-    "fragments"         -> (r => whole(r, "fragments")),
-    "clocks"            -> (r => whole(r, "clocksPerFrame")),
-    "clocks at pins"    -> (r => whole(r, "clocksPerFrameAtPins")),
-    "frames/s at pins"  -> (r => decimal(r, "framesPerSecondAtPins")),
+    "triangles" -> (r => whole(r, "trianglesDrawn")),
+    "fragments" -> (r => whole(r, "fragments")),
+    "clocks" -> (r => whole(r, "clocksPerFrame")),
+    "clocks at pins" -> (r => whole(r, "clocksPerFrameAtPins")),
+    "frames/s at pins" -> (r => decimal(r, "framesPerSecondAtPins")),
     "hardware != model" -> (r => whole(r, "hardwareVsModel", "pixelsDifferent")),
-    "coverage wrong"    -> (r => whole(r, "modelVsReference", "coverageWrong")),
-    "texels wrong"      -> texels,
-    "order wrong"       -> (r => whole(r, "modelVsReference", "depthOrderWrong")),
-    "objects wrong"     -> rays,
-    "PSNR dB"           -> (r =>
+    "coverage wrong" -> (r => whole(r, "modelVsReference", "coverageWrong")),
+    "texels wrong" -> texels,
+    "order wrong" -> (r => whole(r, "modelVsReference", "depthOrderWrong")),
+    "objects wrong" -> rays,
+    "PSNR dB" -> (r =>
       if (r.obj.contains("psnr")) decimal(r, "psnr") else decimal(r, "modelVsReference", "psnr")
     ),
     "end to end PSNR dB" -> (r => decimal(r, "endToEnd", "psnr")),
-    "FLIP"               -> (r => value(r, "endToEnd", "flip").fold("-")(v => format("%.4f", v.num)))
+    "FLIP" -> (r => value(r, "endToEnd", "flip").fold("-")(v => format("%.4f", v.num)))
   )
 
   def apply(reports: Seq[ujson.Obj]): String = {
-    val rows   = ("scene" +: columns.map(_._1)) +: reports.map(r => r("scene").str +: columns.map(_._2(r)))
+    val rows = ("scene" +: columns.map(_._1)) +: reports.map(r => r("scene").str +: columns.map(_._2(r)))
     val widths = rows.transpose.map(_.map(_.length).max)
     rows.map(row =>
       row.zip(widths).zipWithIndex.map { case ((cell, width), column) =>
@@ -59,7 +59,7 @@ object ReportTable {
   }
 
   private def texels(r: ujson.Obj) = (for {
-    wrong  <- value(r, "modelVsReference", "texelsWrong")
+    wrong <- value(r, "modelVsReference", "texelsWrong")
     judged <- value(r, "modelVsReference", "texelsJudged")
   } yield if (judged.num == 0) "-" else format("%.3f %%", 100 * wrong.num / judged.num)).getOrElse("-")
 }

@@ -7,11 +7,11 @@ import frustum.contract.InputError
   */
 object Words {
   def split(line: String): Seq[String] = {
-    val words       = Seq.newBuilder[String]
-    val word        = new StringBuilder
-    var open        = false // a word has begun, perhaps an empty one in quotes
+    val words = Seq.newBuilder[String]
+    val word = new StringBuilder
+    var open = false // a word has begun, perhaps an empty one in quotes
     var quote: Char = 0
-    val characters  = line.iterator
+    val characters = line.iterator
     while (characters.hasNext) characters.next() match {
       case '\\' if quote != '\'' && characters.hasNext => word += characters.next(); open = true
       case c if quote != 0 && c == quote               => quote = 0

@@ -19,7 +19,7 @@ final case class DemoOptions(
 
 /** `demo`: every scene, with its picture, the reference's and their difference on one page. */
 object DemoCommand extends CommandLine {
-  val name    = "demo"
+  val name = "demo"
   val summary = "draws every scene; writes the page out/demo/index.html"
 
   private val parser: OParser[_, DemoOptions] = {
@@ -44,11 +44,11 @@ object DemoCommand extends CommandLine {
   def run(args: Seq[String]): Int = Arguments.parse(name, parser, args, DemoOptions()).fold(0)(demo)
 
   private def demo(o: DemoOptions): Int = {
-    val entry  = Engines.byName(o.engine)
+    val entry = Engines.byName(o.engine)
     val config = RasterConfig()
-    val shown  = for (sceneName <- Scenes.names) yield {
-      val scene   = Scenes.byName(sceneName)
-      val run     = SceneRun.still(scene, config, entry, EngineOptions(o.seed, None))
+    val shown = for (sceneName <- Scenes.names) yield {
+      val scene = Scenes.byName(sceneName)
+      val run = SceneRun.still(scene, config, entry, EngineOptions(o.seed, None))
       val figures = run.figures((_, v) =>
         DemoPictures.write(o.out, sceneName, config.width, config.height, v.picture, v.reference)
       )
@@ -57,9 +57,9 @@ object DemoCommand extends CommandLine {
       (figures, report)
     }
     // Pong has no other engine.
-    val pong    = Option.when(Engines.byName(o.engine).atPins)(PongDemo(o.out, o.seed))
-    val voxel   = Option.when(VoxelRun.Engines.contains(o.engine))(VoxelDemo(o.out, o.engine))
-    val others  = pong ++ voxel
+    val pong = Option.when(Engines.byName(o.engine).atPins)(PongDemo(o.out, o.seed))
+    val voxel = Option.when(VoxelRun.Engines.contains(o.engine))(VoxelDemo(o.out, o.engine))
+    val others = pong ++ voxel
     val reports = shown.map(_._2) ++ others.map(_._1)
     OutputFile.writeText(o.out.resolve("index.html"), DemoPage(o.out, reports))
     println(ReportTable(reports))

@@ -40,11 +40,11 @@ object DemoPage {
        |""".stripMargin
 
   private def section(folder: Path, report: ujson.Obj): String = {
-    val scene    = report("scene").str
-    val size     = s"""width="${report("width").num.toInt}" height="${report("height").num.toInt}""""
+    val scene = report("scene").str
+    val size = s"""width="${report("width").num.toInt}" height="${report("height").num.toInt}""""
     val pictures = Seq("" -> "picture", ".reference" -> "reference", ".difference" -> "difference").map {
       case (kind, caption) =>
-        val data  = Page.source(folder.resolve(s"$scene$kind.png"))
+        val data = Page.source(folder.resolve(s"$scene$kind.png"))
         val image = s"""<img $size alt="$scene: $caption" src="$data">"""
         s"<figure>$image<figcaption>$caption</figcaption></figure>"
     }

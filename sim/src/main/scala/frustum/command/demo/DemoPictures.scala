@@ -15,8 +15,8 @@ object DemoPictures {
   ): Unit =
     for (
       (kind, shown) <- Seq(
-        ""            -> picture,
-        ".reference"  -> reference,
+        "" -> picture,
+        ".reference" -> reference,
         ".difference" -> Picture.difference(picture, reference)
       )
     ) Picture.writePng(out.resolve(s"$scene$kind.png"), width, height, shown)

@@ -20,7 +20,7 @@ object PongDemo {
       (frame, picture) =>
         if (frame.index == Frames - 1) {
           // The reference too in the format of the pins and under the score: what differs then is what was drawn wrongly.
-          val exact     = PongJudge.reference(config, config.motion(frame.game.motion))
+          val exact = PongJudge.reference(config, config.motion(frame.game.motion))
           val reference = Picture.ofFormat(new PongModel(config).atPins(exact(_), frame.game), config.format)
           DemoPictures.write(out, "pong", width, height, picture, reference)
         }

@@ -19,7 +19,7 @@ import java.nio.file.{Files, Path, Paths}
 
 /** `fit`: the cheapest configuration that draws a scene from all of a volume of views within a budget of errors. */
 object FitCommand extends CommandLine {
-  val name    = "fit"
+  val name = "fit"
   val summary = "finds the least hardware that draws a scene within an error budget; writes out/fit"
 
   /** Views that the generated hardware draws. */
@@ -29,12 +29,12 @@ object FitCommand extends CommandLine {
 
   private def fit(o: FitOptions): Int = {
     if (o.scene.isEmpty && o.obj.isEmpty) throw InputError("fit: no scene; give --scene NAME or --obj FILE")
-    val scene                   = RenderCommand.sceneOf(o.scene, o.obj, o.texture)
-    val stem                    = o.obj.fold(scene.name)(_.getFileName.toString.replaceFirst("\\.[^.]*$", ""))
-    val base                    = RenderCommand.configOf(o.size._1, o.size._2)
-    val volume                  = o.volume.fold(CameraVolume.default)(CameraVolume.read)
-    val budget                  = FitBudget(o.texelsWrong, o.primitivesWrong, o.flip)
-    val features                = FitFeatures(scene, base, DrawOptions(o.light, o.cullBack, o.wrap, scene.background), volume)
+    val scene = RenderCommand.sceneOf(o.scene, o.obj, o.texture)
+    val stem = o.obj.fold(scene.name)(_.getFileName.toString.replaceFirst("\\.[^.]*$", ""))
+    val base = RenderCommand.configOf(o.size._1, o.size._2)
+    val volume = o.volume.fold(CameraVolume.default)(CameraVolume.read)
+    val budget = FitBudget(o.texelsWrong, o.primitivesWrong, o.flip)
+    val features = FitFeatures(scene, base, DrawOptions(o.light, o.cullBack, o.wrap, scene.background), volume)
     def say(line: String): Unit = println(s"$name $stem: $line")
     if (!features.options.depthTest)
       say("nothing hides anything else: no depth test" + (if (features.options.cullBack)
@@ -60,9 +60,9 @@ object FitCommand extends CommandLine {
     val referee = Mesa.found.map(Referee(_, search, result))
     say(referee.fold(Mesa.Missing)(_.toString))
 
-    val out    = o.out.getOrElse(Paths.get("out", name, s"$stem.json"))
+    val out = o.out.getOrElse(Paths.get("out", name, s"$stem.json"))
     val folder = Option(out.toAbsolutePath.getParent).get
-    val costs  = if (o.synthesis) Some(synthesise(base, result.features.config, folder, say)) else None
+    val costs = if (o.synthesis) Some(synthesise(base, result.features.config, folder, say)) else None
     val report = FitReport.json(o, result, different, referee, costs)
     OutputFile.writeText(out, ujson.write(report, indent = 2) + "\n")
     val views = (result.heldOut.map(v => "held out" -> v) ++ result.trained.map(v => "training" -> v)).map {
@@ -88,7 +88,7 @@ object FitCommand extends CommandLine {
       )
     )
     val picture = folder.resolve(s"$stemOut-worst.png")
-    val worst   = Engines.byName("model").make(EngineOptions(o.seed, None)).render(frames.take(1)).head.image
+    val worst = Engines.byName("model").make(EngineOptions(o.seed, None)).render(frames.take(1)).head.image
     Picture.writePng(picture, base.width, base.height, Picture.ofRgb565(worst))
     OutputFile.writeText(folder.resolve("index.html"), FitReport.page(stem, result, report, picture))
     println(s"wrote $out")
@@ -117,35 +117,35 @@ object FitCommand extends CommandLine {
       say: String => Unit
   ): FitCosts =
     try {
-      val flow                                 = new Ice40Flow(Ice40Tools.find(say))
-      val work                                 = Files.createDirectories(folder.resolve("build"))
+      val flow = new Ice40Flow(Ice40Tools.find(say))
+      val work = Files.createDirectories(folder.resolve("build"))
       def place(what: String, c: RasterConfig) = {
         say(s"placing the $what")
         flow.run(IcebreakerTops.rasterOf(s"fit-$what", c), Seq(1), work, say, Nextpnr.Heap)
       }
-      val costs                               = new UnitCosts(say)
+      val costs = new UnitCosts(say)
       def cost(what: String, c: RasterConfig) = {
         val u = costs(s"the pipeline $what")(RasterPipeline(c, tech = Tech.Ice40))
         (u.luts, u.flipFlops)
       }
       val (luts, flipFlops) = cost("as fitted", fitted)
-      val f                 = fitted.formats
-      val restored          = fitted.fixed.constant.map(field =>
+      val f = fitted.formats
+      val restored = fitted.fixed.constant.map(field =>
         s"choice of $field" -> fitted.copy(fixed = fitted.fixed.without(field))
       ) ++
         Seq(
           Option.when(f.coordinate > 0)(s"${f.coordinate} bits of coordinates" -> f.copy(coordinate = 0)),
-          Option.when(f.coordinate > 0)("1 bit of coordinates"                 -> f.copy(coordinate = f.coordinate - 1)),
-          Option.when(f.inverse > 0)(s"${f.inverse} bits of 1/w"               -> f.copy(inverse = 0)),
-          Option.when(f.depth > 0)(s"${f.depth} bits of depth"                 -> f.copy(depth = 0)),
-          Option.when(f.color > 0)(s"${f.color} bits of colours"               -> f.copy(color = 0))
+          Option.when(f.coordinate > 0)("1 bit of coordinates" -> f.copy(coordinate = f.coordinate - 1)),
+          Option.when(f.inverse > 0)(s"${f.inverse} bits of 1/w" -> f.copy(inverse = 0)),
+          Option.when(f.depth > 0)(s"${f.depth} bits of depth" -> f.copy(depth = 0)),
+          Option.when(f.color > 0)(s"${f.color} bits of colours" -> f.copy(color = 0))
         ).flatten.map { case (what, formats) => what -> fitted.copy(formats = formats) } ++
         Seq(
-          "choice of clear colour"     -> fitted.copy(clearColor = None),
-          "the whole store"            -> fitted.copy(maxVertices = full.maxVertices, maxTriangles = full.maxTriangles),
-          "positions everywhere"       -> fitted.copy(ranges = fitted.ranges.copy(position = full.ranges.position)),
+          "choice of clear colour" -> fitted.copy(clearColor = None),
+          "the whole store" -> fitted.copy(maxVertices = full.maxVertices, maxTriangles = full.maxTriangles),
+          "positions everywhere" -> fitted.copy(ranges = fitted.ranges.copy(position = full.ranges.position)),
           "coordinates of all repeats" -> fitted.copy(ranges = fitted.ranges.copy(repeats = full.ranges.repeats)),
-          "any ratio of depths"        -> fitted.copy(ranges = fitted.ranges.copy(ratio = full.ranges.ratio))
+          "any ratio of depths" -> fitted.copy(ranges = fitted.ranges.copy(ratio = full.ranges.ratio))
         ).filter(_._2 != fitted)
       val savings = restored.map { case (what, c) =>
         val (l, d) = cost(s"with $what", c)

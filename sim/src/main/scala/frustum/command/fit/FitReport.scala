@@ -41,7 +41,7 @@ object FitReport {
       referee: Option[Referee],
       costs: Option[FitCosts]
   ): ujson.Obj = {
-    val c                     = r.features.config
+    val c = r.features.config
     def errors(e: ViewErrors) = {
       val all =
         ujson.Obj("texelsWrongPercent" -> e.texelsWrong, "primitivesWrongPercent" -> e.primitivesWrong)
@@ -52,48 +52,48 @@ object FitReport {
     o.primitivesWrong.foreach(budget("primitivesWrongPercent") = _)
     o.flip.foreach(budget("flip") = _)
     val report = ujson.Obj(
-      "command"           -> FitCommand.name,
-      "version"           -> BuildInfo.version,
-      "seed"              -> o.seed.toDouble,
-      "engine"            -> "model",
-      "met"               -> r.met,
-      "budget"            -> budget,
-      "achieved"          -> errors(r.heldOut.maxBy { case (_, e) => r.budget.share(e) }._2),
-      "worstView"         -> r.worst.head._1.toString,
-      "trainingViews"     -> r.trained.length,
-      "heldOutViews"      -> r.heldOut.length,
+      "command" -> FitCommand.name,
+      "version" -> BuildInfo.version,
+      "seed" -> o.seed.toDouble,
+      "engine" -> "model",
+      "met" -> r.met,
+      "budget" -> budget,
+      "achieved" -> errors(r.heldOut.maxBy { case (_, e) => r.budget.share(e) }._2),
+      "worstView" -> r.worst.head._1.toString,
+      "trainingViews" -> r.trained.length,
+      "heldOutViews" -> r.heldOut.length,
       "heldOutOverBudget" -> r.heldOutOver,
       "overAtMostPercent" -> 100 * r.overAtMost,
-      "oneBitLess"        -> ujson.Obj.from(r.oneBitLess.map { case (knob, share) => knob -> ujson.Num(share) }),
-      "hardwareVsModel"   -> ujson.Obj("pixelsDifferent" -> different.toDouble),
-      "configuration"     -> ujson.Obj(
-        "width"         -> c.width,
-        "height"        -> c.height,
+      "oneBitLess" -> ujson.Obj.from(r.oneBitLess.map { case (knob, share) => knob -> ujson.Num(share) }),
+      "hardwareVsModel" -> ujson.Obj("pixelsDifferent" -> different.toDouble),
+      "configuration" -> ujson.Obj(
+        "width" -> c.width,
+        "height" -> c.height,
         "textureTexels" -> c.textureTexels,
-        "maxVertices"   -> c.maxVertices,
-        "maxTriangles"  -> c.maxTriangles,
-        "positionBits"  -> c.ranges.position,
-        "repeatBits"    -> c.ranges.repeats,
-        "ratioBits"     -> c.ranges.ratio,
-        "clearColor"    -> c.clearColor.fold[ujson.Value](ujson.Null)(ujson.Num(_)),
-        "constant"      -> c.fixed.constant,
-        "fixedMask"     -> (c.fixed.mask & 0xffffffffL).toDouble,
-        "fixedValue"    -> (c.fixed.value & 0xffffffffL).toDouble,
-        "coordinate"    -> c.formats.coordinate,
-        "depth"         -> c.formats.depth,
-        "color"         -> c.formats.color,
-        "inverse"       -> c.formats.inverse,
-        "cullBack"      -> r.features.options.cullBack,
-        "depthTest"     -> r.features.options.depthTest
+        "maxVertices" -> c.maxVertices,
+        "maxTriangles" -> c.maxTriangles,
+        "positionBits" -> c.ranges.position,
+        "repeatBits" -> c.ranges.repeats,
+        "ratioBits" -> c.ranges.ratio,
+        "clearColor" -> c.clearColor.fold[ujson.Value](ujson.Null)(ujson.Num(_)),
+        "constant" -> c.fixed.constant,
+        "fixedMask" -> (c.fixed.mask & 0xffffffffL).toDouble,
+        "fixedValue" -> (c.fixed.value & 0xffffffffL).toDouble,
+        "coordinate" -> c.formats.coordinate,
+        "depth" -> c.formats.depth,
+        "color" -> c.formats.color,
+        "inverse" -> c.formats.inverse,
+        "cullBack" -> r.features.options.cullBack,
+        "depthTest" -> r.features.options.depthTest
       ),
       "scala" -> scala(r.features)
     )
     for (m <- referee)
       report("referee") = ujson.Obj(
-        "renderer"               -> "llvmpipe",
-        "views"                  -> m.views,
-        "viewsOver"              -> m.over,
-        "texelsWrongPercent"     -> m.texelsWrong,
+        "renderer" -> "llvmpipe",
+        "views" -> m.views,
+        "viewsOver" -> m.over,
+        "texelsWrongPercent" -> m.texelsWrong,
         "primitivesWrongPercent" -> m.primitivesWrong
       )
     costs.foreach { k =>

@@ -19,7 +19,7 @@ final case class MutateOptions(
 
 /** `mutate`: how many wrong wires of a unit the test vectors find. */
 object MutateCommand extends CommandLine {
-  val name    = "mutate"
+  val name = "mutate"
   val summary =
     "breaks wires of a unit one by one and counts which ones its test vectors find; writes out/mutate"
 
@@ -57,7 +57,7 @@ object MutateCommand extends CommandLine {
 
   private def mutate(o: MutateOptions): Int = {
     def say(step: String): Unit = println(s"$name: $step")
-    val results                 =
+    val results =
       try {
         val run = new MutationRun(Ice40Tools.find(say).yosys, o.out.resolve("build"), say)
         o.unit.fold(MutationPlans.all)(Seq(_)).map { case (unit, plan) =>
@@ -85,26 +85,26 @@ object MutateCommand extends CommandLine {
   private def json(o: MutateOptions, results: Seq[(String, MutationResult)]) = ujson.Obj(
     "command" -> name,
     "version" -> BuildInfo.version,
-    "seed"    -> o.seed.toDouble,
-    "engine"  -> "netlist",
-    "units"   -> results.map { case (unit, r) =>
+    "seed" -> o.seed.toDouble,
+    "engine" -> "netlist",
+    "units" -> results.map { case (unit, r) =>
       ujson.Obj(
-        "unit"        -> unit,
-        "mutants"     -> r.count,
-        "steps"       -> r.steps,
-        "killed"      -> r.killed.length,
-        "equivalent"  -> r.equivalent.length,
+        "unit" -> unit,
+        "mutants" -> r.count,
+        "steps" -> r.steps,
+        "killed" -> r.killed.length,
+        "equivalent" -> r.equivalent.length,
         "killPercent" -> r.killPercent,
-        "survivors"   -> r.survivors.map(_.toString)
+        "survivors" -> r.survivors.map(_.toString)
       )
     }
   )
 
   private def csv(results: Seq[(String, MutationResult)]): String = (
     "unit,mutant,mode,cell,port,wire,verdict" +: (for {
-      (unit, r)     <- results
+      (unit, r) <- results
       (verdict, of) <- Seq("killed" -> r.killed, "equivalent" -> r.equivalent, "survives" -> r.survivors)
-      m             <- of
+      m <- of
     } yield Seq(unit, m.number.toString, m.mode, m.cell, m.port, m.source, verdict).mkString(","))
   ).mkString("", "\n", "\n")
 

@@ -25,7 +25,7 @@ final case class PlayOptions(
 
 /** `play pong`, `play voxel`: the simulated hardware's screen in a window, with the keys as its buttons. */
 object PlayCommand extends CommandLine {
-  val name    = "play"
+  val name = "play"
   val summary = "shows a system's simulated screen in a window and takes keys: play pong, play voxel"
 
   private val parser: OParser[_, PlayOptions] = {
@@ -39,7 +39,9 @@ object PlayCommand extends CommandLine {
         Arguments.oneOf(PongOptions.modes: _*)
       ).valueName(PongOptions.modes.map(_._1).mkString("|"))
         .action((v, o) => o.copy(mode = v)).text(s"pong's (default ${PongOptions.modes.head._1})"),
-      opt[Path]("world")(Arguments.file).valueName("FILE").action((v, o) => o.copy(voxel = o.voxel.copy(world = Some(v))))
+      opt[Path]("world")(Arguments.file).valueName("FILE").action((v, o) =>
+        o.copy(voxel = o.voxel.copy(world = Some(v)))
+      )
         .text("voxel's: raw ids of 64x64x32 blocks, or MagicaVoxel .vox (default: hills from --seed)"),
       opt[(Int, Int)]("size")(Arguments.size).valueName("WxH").action((v, o) => o.copy(voxel = o.voxel.copy(size = v)))
         .text("voxel's, pixels (default 160x120)"),
@@ -69,11 +71,11 @@ object PlayCommand extends CommandLine {
     println(PongKeys.help)
     EngineSim.run(PongSession.compile(config, PongBoard.Icebreaker), None, o.seed) { dut =>
       val session = new PongSession(dut)
-      val screen  = LiveScreen("Frustum: pong", o.mode.width, o.mode.height)
+      val screen = LiveScreen("Frustum: pong", o.mode.width, o.mode.height)
       try {
-        val keys    = new PongKeys
+        val keys = new PongKeys
         val started = System.nanoTime
-        var shown   = 0
+        var shown = 0
         while (screen.isOpen && o.frames.forall(shown < _)) {
           val picture = Picture.ofFormat(session.frame(), config.format)
           session.press(keys(screen.keys()))

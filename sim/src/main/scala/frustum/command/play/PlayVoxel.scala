@@ -37,18 +37,18 @@ object PlayVoxel {
       session: Option[VoxelSession]
   ): Int = {
     val VoxelScene(config, assets, _, views) = scene
-    val rules                                = VoxelRules(config.size, assets.table.blocks.length, gravity = !fly)
-    val scale                                = (640 / config.width).max(1)
-    val screen                               = LiveScreen("Frustum: world of blocks", config.width, config.height, scale)
+    val rules = VoxelRules(config.size, assets.table.blocks.length, gravity = !fly)
+    val scale = (640 / config.width).max(1)
+    val screen = LiveScreen("Frustum: world of blocks", config.width, config.height, scale)
     try {
       views.head.camera(config) // refuses what the hardware does not take
       val program = CameraProgram(config.width, config.height, views.head.focal)
-      var model   = new VoxelModel(config, assets, scene.world)
-      var player  = start(views.head)
+      var model = new VoxelModel(config, assets, scene.world)
+      var player = start(views.head)
       var pointed = Option.empty[SeenFace]
       session.foreach(_.load(model.words))
       val started = System.nanoTime
-      var shown   = 0
+      var shown = 0
       while (screen.isOpen && frames.forall(shown < _)) {
         val (moved, edit) =
           player.frame(VoxelKeys(screen.keys()), rules, assets.table, pointed, model.world(_, _, _))
@@ -78,7 +78,7 @@ object PlayVoxel {
     session match {
       case Some(s) => s.frame(camera, highlight = true).picture
       case None    =>
-        val c      = model.config
+        val c = model.config
         val chosen = model.pointedAt(camera, VoxelConfig.Reach)
         Array.tabulate(c.pixels)(n => model.pixel(camera, n % c.width, n / c.width, chosen).color)
     }

@@ -13,7 +13,7 @@ import java.nio.file.{Files, Path}
 
 /** `pong`: a game on the simulated board, each frame judged, as PNG files and one animated GIF. */
 object PongCommand extends CommandLine {
-  val name    = "pong"
+  val name = "pong"
   val summary = "plays ray-cast pong on the simulated hardware; writes frames and pong.gif to out/pong"
 
   def run(args: Seq[String]): Int =

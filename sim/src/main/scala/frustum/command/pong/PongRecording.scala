@@ -30,9 +30,9 @@ object PongRecording {
       board: PongBoard = PongBoard.all.head,
       every: Int = 1
   )(each: (PongFrame, Array[Int]) => Unit): PongRecording = {
-    val judge    = new PongJudge(config)
-    val times    = delays
-    val started  = System.nanoTime
+    val judge = new PongJudge(config)
+    val times = delays
+    val started = System.nanoTime
     val progress = Progress("pong", frames)
     val measures =
       try AnimatedGif.write(gif, config.mode.width, config.mode.height) { film =>

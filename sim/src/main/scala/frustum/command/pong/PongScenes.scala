@@ -24,7 +24,7 @@ object PongScenes {
   def config(mode: VideoMode, file: Option[Path]): PongPipelineConfig = file match {
     case None    => PongPipelineConfig(mode = mode, scene = room(mode))
     case Some(f) =>
-      val scene                         = RaySceneFile.read(f, room(mode), mode.width, mode.height)
+      val scene = RaySceneFile.read(f, room(mode), mode.width, mode.height)
       def refuse(what: String): Nothing = throw InputError(s"$f: $what")
       def covers(low: IntVector, high: IntVector, from: IntVector, to: IntVector, axes: Range, what: String)
           : Unit =

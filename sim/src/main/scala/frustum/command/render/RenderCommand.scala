@@ -14,7 +14,7 @@ import java.nio.file.{Path, Paths}
 
 /** `render`: draws a scene, or a mesh, with an engine; writes the picture and a report. */
 object RenderCommand extends CommandLine {
-  val name    = "render"
+  val name = "render"
   val summary = "draws a scene or a mesh; writes out/render/SCENE.png and a report"
 
   def run(args: Seq[String]): Int =
@@ -27,10 +27,10 @@ object RenderCommand extends CommandLine {
     if (o.panel.isDefined && !entry.atPins)
       throw InputError(s"--panel: the engine ${entry.name} has no display; use --engine hardware")
     val config = configOf(o.size._1, o.size._2)
-    val scene  = sceneOf(o.scene, o.obj, o.texture)
-    val stem   = o.obj.fold(scene.name)(_.getFileName.toString.replaceFirst("\\.[^.]*$", ""))
+    val scene = sceneOf(o.scene, o.obj, o.texture)
+    val stem = o.obj.fold(scene.name)(_.getFileName.toString.replaceFirst("\\.[^.]*$", ""))
     val folder = Paths.get("out", name)
-    val out    = o.out.getOrElse(folder.resolve(if (o.frames > 1) s"$stem-%d.png" else s"$stem.png"))
+    val out = o.out.getOrElse(folder.resolve(if (o.frames > 1) s"$stem-%d.png" else s"$stem.png"))
     val report = o.report.getOrElse(folder.resolve(s"$stem.json"))
     if (o.frames > 1 && !out.getFileName.toString.contains("%d"))
       throw InputError(

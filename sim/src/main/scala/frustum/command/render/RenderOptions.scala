@@ -116,9 +116,12 @@ object RenderOptions {
       "what draws: the top at its pins, the stream core, the bit-exact model, float64\n" +
         s"(default ${Engines.names.head})"
     )((v, o) => o.copy(engine = v))(oneOf(Engines.names.map(n => n -> n): _*)),
-    option[Panel]("panel", Panel.all.map(_.name).mkString("|"), s"display at the pins; engine hardware (default ${Panel.Ili9341.name})")(
-      (v, o) =>
-        o.copy(panel = Some(v))
+    option[Panel](
+      "panel",
+      Panel.all.map(_.name).mkString("|"),
+      s"display at the pins; engine hardware (default ${Panel.Ili9341.name})"
+    )((v, o) =>
+      o.copy(panel = Some(v))
     )(oneOf(Panel.all.map(p => p.name -> p): _*)),
     option[Int]("frames", "N", "frames of an animation; with more than one put %d in --out (default 1)")((v, o) =>
       o.copy(frames = v)

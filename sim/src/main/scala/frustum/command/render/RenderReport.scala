@@ -15,17 +15,17 @@ object RenderReport {
     val report = ujson.Obj(
       "command" -> command,
       "version" -> BuildInfo.version,
-      "seed"    -> seed.toDouble,
-      "engine"  -> f.engine,
-      "scene"   -> f.scene,
-      "width"   -> f.config.width,
-      "height"  -> f.config.height,
-      "frames"  -> f.frames.length
+      "seed" -> seed.toDouble,
+      "engine" -> f.engine,
+      "scene" -> f.scene,
+      "width" -> f.config.width,
+      "height" -> f.config.height,
+      "frames" -> f.frames.length
     )
     def put(key: String, value: Option[Double]): Unit = value.foreach(v => report(key) = v)
-    val clocks                                        = f.mean(_.clocks)
-    val atPins                                        = f.mean(_.clocksAtPins)
-    val fragments                                     = f.mean(frame => Some(frame.fragments))
+    val clocks = f.mean(_.clocks)
+    val atPins = f.mean(_.clocksAtPins)
+    val fragments = f.mean(frame => Some(frame.fragments))
     put("triangles", f.mean(frame => Some(frame.sceneTriangles.toLong)))
     put("trianglesDrawn", f.mean(frame => Some(frame.trianglesDrawn.toLong)))
     put("fragments", fragments)
@@ -46,24 +46,24 @@ object RenderReport {
     f.pixelsDifferent.foreach(n => report("hardwareVsModel") = ujson.Obj("pixelsDifferent" -> n.toDouble))
     f.model.foreach { m =>
       report("modelVsReference") = ujson.Obj(
-        "coverageWrong"            -> m.coverage.wrong.toDouble,
-        "coverageMissing"          -> m.coverage.missing.toDouble,
-        "coverageExtra"            -> m.coverage.extra.toDouble,
-        "coverageTwice"            -> m.coverage.twice.toDouble,
-        "texelsJudged"             -> m.texels.judged.toDouble,
-        "texelsWrong"              -> m.texels.wrong.toDouble,
+        "coverageWrong" -> m.coverage.wrong.toDouble,
+        "coverageMissing" -> m.coverage.missing.toDouble,
+        "coverageExtra" -> m.coverage.extra.toDouble,
+        "coverageTwice" -> m.coverage.twice.toDouble,
+        "texelsJudged" -> m.texels.judged.toDouble,
+        "texelsWrong" -> m.texels.wrong.toDouble,
         "texelsWrongByMoreThanOne" -> m.texels.wrongByMoreThanOne.toDouble,
-        "maxTexelError"            -> m.texels.maxError,
-        "primitiveWrong"           -> m.depth.primitiveWrong.toDouble,
-        "depthOrderWrong"          -> m.depth.depthOrderWrong.toDouble,
-        "psnr"                     -> InfinityAsNull.write(f.psnr)
+        "maxTexelError" -> m.texels.maxError,
+        "primitiveWrong" -> m.depth.primitiveWrong.toDouble,
+        "depthOrderWrong" -> m.depth.depthOrderWrong.toDouble,
+        "psnr" -> InfinityAsNull.write(f.psnr)
       )
     }
     report("endToEnd") = ujson.Obj(
       "coverageWrong" -> f.endToEnd.coverageWrong.toDouble,
-      "texelsWrong"   -> f.endToEnd.texelsWrong.toDouble,
-      "psnr"          -> InfinityAsNull.write(f.endToEndPsnr),
-      "flip"          -> f.flip
+      "texelsWrong" -> f.endToEnd.texelsWrong.toDouble,
+      "psnr" -> InfinityAsNull.write(f.endToEndPsnr),
+      "flip" -> f.flip
     )
     report
   }

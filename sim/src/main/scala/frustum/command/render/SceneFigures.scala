@@ -68,10 +68,10 @@ final case class SceneFigures(
     frames.map(_.pixelsDifferent).reduce((a, b) => a.zip(b).map { case (x, y) => x + y })
   def model: Option[ModelVerdict] =
     frames.map(_.model).reduce((a, b) => a.zip(b).map { case (x, y) => x + y })
-  def endToEnd: EndToEndVerdict    = frames.map(_.endToEnd).reduce(_ + _)
-  def psnr: Option[Double]         = Psnr.of(frames.map(_.squaredError).sum, pixels)
+  def endToEnd: EndToEndVerdict = frames.map(_.endToEnd).reduce(_ + _)
+  def psnr: Option[Double] = Psnr.of(frames.map(_.squaredError).sum, pixels)
   def endToEndPsnr: Option[Double] = Psnr.of(frames.map(_.endToEndSquaredError).sum, pixels)
-  def flip: Double                 = frames.map(_.flip).sum / frames.length
+  def flip: Double = frames.map(_.flip).sum / frames.length
 
   /** What must be zero and is not. */
   def failures: Seq[String] =

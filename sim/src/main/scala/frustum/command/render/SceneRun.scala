@@ -40,11 +40,11 @@ final case class SceneRun(
         s"${config.width} x ${config.height}, engine ${entry.name}" +
         (if (entry.atPins) s", display ${engineOptions.panel.name}" else "")
     )
-    val started  = System.nanoTime
+    val started = System.nanoTime
     val rendered = entry.make(engineOptions).render(prepared)
-    val seconds  = (System.nanoTime - started) / 1e9
-    val model    = if (entry.name == "reference") None else Engines.model
-    val judge    = new FrameJudge(model, entry.simulated)
+    val seconds = (System.nanoTime - started) / 1e9
+    val model = if (entry.name == "reference") None else Engines.model
+    val judge = new FrameJudge(model, entry.simulated)
     val progress = Progress(scene.name, frames)
     val verdicts =
       try prepared.zip(rendered).zipWithIndex.map { case ((frame, drawn), i) =>

@@ -12,10 +12,10 @@ final case class StabilityOptions(method: Option[String] = None, out: Path = Pat
 
 /** `stability`: each method within its declared domain and beyond it. */
 object StabilityCommand extends CommandLine {
-  val name    = "stability"
+  val name = "stability"
   val summary = "finds where each method fails; writes the map out/stability/index.html"
 
-  private val methods                              = Sweep.all.map(_.domain.method).distinct
+  private val methods = Sweep.all.map(_.domain.method).distinct
   private val parser: OParser[_, StabilityOptions] = {
     val builder = OParser.builder[StabilityOptions]
     import builder._
@@ -34,9 +34,9 @@ object StabilityCommand extends CommandLine {
   def run(args: Seq[String]): Int = Arguments.parse(name, parser, args, StabilityOptions()).fold(0)(stability)
 
   private def stability(o: StabilityOptions): Int = {
-    val sweeps   = Sweep.all.filter(s => o.method.forall(_ == s.domain.method))
+    val sweeps = Sweep.all.filter(s => o.method.forall(_ == s.domain.method))
     val progress = Progress(name, sweeps.length)
-    val results  =
+    val results =
       try sweeps.map { sweep =>
           val result = sweep.run()
           progress.step()
@@ -71,18 +71,18 @@ object StabilityCommand extends CommandLine {
       out.resolve("stability.json"),
       ujson.write(
         ujson.Obj(
-          "command"  -> name,
-          "version"  -> BuildInfo.version,
-          "seed"     -> 1,
-          "engine"   -> "model",
+          "command" -> name,
+          "version" -> BuildInfo.version,
+          "seed" -> 1,
+          "engine" -> "model",
           "failures" -> failures,
-          "sweeps"   -> results.map(json)
+          "sweeps" -> results.map(json)
         ),
         indent = 2
       ) + "\n"
     )
     val picture = Page.source(out.resolve("map.png"))
-    val rows    = results.map(row).mkString("\n")
+    val rows = results.map(row).mkString("\n")
     val headers =
       Seq("method", "what it depends on", "declared", "bound", "found", "compared systems", "refused because")
     OutputFile.writeText(
@@ -101,12 +101,12 @@ object StabilityCommand extends CommandLine {
     if (s.contains(',') || s.contains('"')) "\"" + s.replace("\"", "\"\"") + "\"" else s
 
   private def row(r: SweepResult): String = {
-    val d     = r.sweep.domain
+    val d = r.sweep.domain
     val found = r.stretches.map { case (a, b, s) =>
       s"${StabilityMap.shortest(a)} to ${StabilityMap.shortest(b)}: ${s.name}"
     }
     val refused = r.trials.flatMap(_.reason).distinct.take(1)
-    val mark    = if (r.failures.isEmpty) "" else " class=\"over\""
+    val mark = if (r.failures.isEmpty) "" else " class=\"over\""
     Seq(
       d.method,
       s"${d.quantity}, ${d.unit}",
@@ -125,13 +125,13 @@ object StabilityCommand extends CommandLine {
   private def json(r: SweepResult) = {
     val d = r.sweep.domain
     ujson.Obj(
-      "method"    -> d.method,
-      "quantity"  -> d.quantity,
-      "unit"      -> d.unit,
-      "validFor"  -> ujson.Obj("low" -> d.low, "high" -> d.high),
-      "bound"     -> d.bound,
+      "method" -> d.method,
+      "quantity" -> d.quantity,
+      "unit" -> d.unit,
+      "validFor" -> ujson.Obj("low" -> d.low, "high" -> d.high),
+      "bound" -> d.bound,
       "errorUnit" -> d.errorUnit,
-      "worst"     -> r.trials.filter(t => d.contains(t.value)).flatMap(
+      "worst" -> r.trials.filter(t => d.contains(t.value)).flatMap(
         _.error
       ).maxOption.fold[ujson.Value](ujson.Null)(ujson.Num(_)),
       "borders" -> r.borders.map(b =>

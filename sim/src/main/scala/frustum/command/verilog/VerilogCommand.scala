@@ -5,14 +5,14 @@ import java.nio.file.{Files, Path, Paths, StandardCopyOption}
 
 /** `verilog TOP`: the Verilog of a board's top, in one file `out/verilog/TOP.v`. */
 object VerilogCommand extends CommandLine {
-  val name    = "verilog"
+  val name = "verilog"
   val summary = "writes the Verilog of a board's top to out/verilog/TOP.v"
 
   private val parser = TopArguments.parser(name, summary, seeds = false)
 
   def run(args: Seq[String]): Int = {
     TopArguments.parse(parser, args).foreach { arguments =>
-      val top       = arguments.find
+      val top = arguments.find
       val directory = Paths.get("out", "verilog")
       Files.createDirectories(directory)
       val scratch = Files.createTempDirectory(directory, ".elaborate")

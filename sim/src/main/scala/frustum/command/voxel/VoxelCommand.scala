@@ -10,7 +10,7 @@ import scala.collection.mutable
 
 /** `voxel`: views of a world of blocks, each ray judged against exact marching. */
 object VoxelCommand extends CommandLine {
-  val name    = "voxel"
+  val name = "voxel"
   val summary = "draws a world of blocks; writes out/voxel/voxel.png and a report"
 
   def run(args: Seq[String]): Int =
@@ -23,7 +23,7 @@ object VoxelCommand extends CommandLine {
     println(
       s"voxel: ${views.length} view(s) of a world of ${config.size}, ${config.width}x${config.height}, ${o.engine}"
     )
-    val drawn    = mutable.ArrayBuffer.empty[VoxelDrawn]
+    val drawn = mutable.ArrayBuffer.empty[VoxelDrawn]
     val progress = Progress("voxel", views.length)
     try new VoxelRun(config, scene.assets, scene.world, o.engine, o.highlight, o.seed).draw(views) { view =>
         val file = fileOf(o, drawn.length)
@@ -51,7 +51,7 @@ object VoxelCommand extends CommandLine {
 
   /** Numbered where there are several. */
   private def fileOf(o: VoxelOptions, n: Int): Path = {
-    val name     = o.out.getFileName.toString
+    val name = o.out.getFileName.toString
     val numbered =
       if (o.path.isEmpty || name.contains("%d")) name else name.replaceFirst("(\\.[^.]*)?$", "-%d$1")
     o.out.resolveSibling(numbered.replace("%d", n.toString))

@@ -30,22 +30,22 @@ final case class VoxelOptions(
 
   /** The name of the leaps: as asked for, or the engine's. */
   def leapsName: String = leaps.getOrElse(if (engine == "small") "up-down" else VoxelOptions.leaps.head._1)
-  def reportFile: Path  = report.getOrElse(out.resolveSibling("voxel.json"))
+  def reportFile: Path = report.getOrElse(out.resolveSibling("voxel.json"))
 }
 
 object VoxelOptions {
   val leaps: Seq[(String, LeapField)] = Seq(
     "quadrants" -> LeapField.Quadrants,
-    "octants"   -> LeapField.Octants,
-    "up-down"   -> LeapField.UpDown,
+    "octants" -> LeapField.Octants,
+    "up-down" -> LeapField.UpDown,
     "chebyshev" -> LeapField.Chebyshev,
-    "none"      -> LeapField.Plain
+    "none" -> LeapField.Plain
   )
 
   private val worldSize: Read[(Int, Int, Int)] = Read.reads { text =>
     text.split("x", -1).map(_.toIntOption) match {
       case Array(Some(x), Some(y), Some(z)) => (x, y, z)
-      case _                                => throw new IllegalArgumentException(s"'$text' is not a size such as 64x64x32")
+      case _ => throw new IllegalArgumentException(s"'$text' is not a size such as 64x64x32")
     }
   }
 

@@ -17,12 +17,12 @@ object VoxelReport {
     val report = ujson.Obj(
       "command" -> command,
       "version" -> BuildInfo.version,
-      "seed"    -> seed.toDouble,
-      "engine"  -> engine,
-      "scene"   -> "voxel",
-      "width"   -> c.width,
-      "height"  -> c.height,
-      "frames"  -> drawn.length
+      "seed" -> seed.toDouble,
+      "engine" -> engine,
+      "scene" -> "voxel",
+      "width" -> c.width,
+      "height" -> c.height,
+      "frames" -> drawn.length
     )
     sum(drawn).foreach { n =>
       report("rays") = n.rays.toDouble
@@ -30,7 +30,7 @@ object VoxelReport {
       report("stepsPerRay") = n.steps.toDouble / n.rays
       report("plainSteps") = n.plainSteps.toDouble
       if (drawn.forall(_.clocks.isDefined)) {
-        val clock  = Clock.ofTop(top(engine))
+        val clock = Clock.ofTop(top(engine))
         val clocks = drawn.flatMap(_.clocks).sum.toDouble
         report("clocksPerFrame") = clocks / drawn.length
         report("clocksPerStep") = clocks / n.steps
@@ -64,7 +64,7 @@ object VoxelReport {
   def write(file: Path, report: ujson.Obj, drawn: Seq[VoxelDrawn]): Int = {
     OutputFile.writeText(file, ujson.write(report, indent = 2) + "\n")
     val different = drawn.flatMap(_.pixelsDifferent).sum
-    val failures  = sum(drawn).toSeq.flatMap(_.failures) ++
+    val failures = sum(drawn).toSeq.flatMap(_.failures) ++
       Option.when(different > 0)(s"$different pixels of the hardware are not the model's")
     failures.foreach(f => Console.err.println(s"error: voxel: $f; see $file"))
     if (failures.isEmpty) 0 else 1

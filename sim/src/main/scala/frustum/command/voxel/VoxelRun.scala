@@ -49,9 +49,9 @@ final class VoxelRun(
     highlight: Boolean,
     seed: Long
 ) {
-  private lazy val model  = new VoxelModel(config, assets, world)
-  private lazy val judge  = new VoxelJudge(model)
-  private lazy val board  = VoxelRun.board(config, assets)
+  private lazy val model = new VoxelModel(config, assets, world)
+  private lazy val judge = new VoxelJudge(model)
+  private lazy val board = VoxelRun.board(config, assets)
   private lazy val screen = VoxelScreen(board)
 
   def draw(views: Seq[VoxelView])(each: VoxelDrawn => Unit): Unit = engine match {
@@ -96,11 +96,15 @@ final class VoxelRun(
   private def atPins(session: VoxelBoardSession, camera: VoxelCamera, colors: Array[Int]) = {
     session.send(if (highlight) VoxelHostCommand.highlight(camera) else VoxelHostCommand.camera(camera))
     val shown = session.settled()
-    if (session.reader.errors > 0) throw new IllegalStateException(s"${session.reader.errors} sync errors at the monitor")
+    if (session.reader.errors > 0)
+      throw new IllegalStateException(s"${session.reader.errors} sync errors at the monitor")
     val wanted = screen.monitor(colors.map(VoxelRun.color(_)), None)
-    val places = Array.tabulate(config.pixels)(n => ((n / config.width * config.width << board.scale) + n % config.width) << board.scale)
-    def differs(at: Int) = (for (dy <- 0 until 1 << board.scale; dx <- 0 until 1 << board.scale) yield at + dy * board.mode.width + dx)
-      .exists(i => shown(i) != wanted(i))
+    val places = Array.tabulate(config.pixels)(n =>
+      ((n / config.width * config.width << board.scale) + n % config.width) << board.scale
+    )
+    def differs(at: Int) =
+      (for (dy <- 0 until 1 << board.scale; dx <- 0 until 1 << board.scale) yield at + dy * board.mode.width + dx)
+        .exists(i => shown(i) != wanted(i))
     Some(session.clocks -> places.count(differs).toLong) -> atBoard(places.map(shown(_)))
   }
 
@@ -140,12 +144,16 @@ object VoxelRun {
 
   /** The Arty's console for pictures of any size: its monitor has twice as many pixels each way. */
   def board(c: VoxelConfig, assets: VoxelAssets): VoxelConsoleConfig = {
-    val vga  = VideoMode.Vga640x480
+    val vga = VideoMode.Vga640x480
     val mode = vga.copy(name = s"${2 * c.width}x${2 * c.height}", width = 2 * c.width, height = 2 * c.height)
     if (c.pixels % 8 != 0 || c.width < 48) throw InputError(
       s"--size ${c.width}x${c.height}: a board's monitor takes pictures at least 48 wide, of a multiple of 8 pixels; " +
         "change it or take --engine pipeline"
     )
-    VoxelConsoleConfig(c, assets, if (mode.width == vga.width && mode.height == vga.height) vga else mode).copy(color = color)
+    VoxelConsoleConfig(
+      c,
+      assets,
+      if (mode.width == vga.width && mode.height == vga.height) vga else mode
+    ).copy(color = color)
   }
 }

@@ -21,12 +21,12 @@ object VoxelScenes {
   def apply(o: VoxelOptions): VoxelScene = {
     val (sx, sy, sz) = o.worldSize
     WorldSize.fault(sx, sy, sz).foreach(fault => throw InputError(s"--world-size: $fault"))
-    val size   = WorldSize(sx, sy, sz)
+    val size = WorldSize(sx, sy, sz)
     val assets = o.blocks.fold(Blocks.assets)(BlockFile.read)
-    val world  = o.world match {
+    val world = o.world match {
       case Some(file) if file.toString.toLowerCase.endsWith(".vox") => VoxFile.read(file, size, assets)
-      case Some(file)                                               => VoxelWorld.readRaw(file, size, assets.table.blocks.length)
-      case None if o.blocks.isDefined                               =>
+      case Some(file)                 => VoxelWorld.readRaw(file, size, assets.table.blocks.length)
+      case None if o.blocks.isDefined =>
         throw InputError(
           "--blocks without --world: the hills are built of the workbench's own blocks; give a --world"
         )
@@ -44,11 +44,15 @@ object VoxelScenes {
         case e: IllegalArgumentException =>
           throw InputError(s"--size: ${e.getMessage.stripPrefix("requirement failed: ")}")
       }
-    if (o.engine == "small") CompactVoxelPipeline.fault(config).foreach(fault => throw InputError(s"--engine small: $fault"))
+    if (o.engine == "small")
+      CompactVoxelPipeline.fault(config).foreach(fault => throw InputError(s"--engine small: $fault"))
     def together(one: String, others: (String, Option[_])*): Unit =
-      others.collectFirst { case (other, Some(_)) => throw InputError(s"$one: tells what $other does; give one of them") }
+      others.collectFirst { case (other, Some(_)) =>
+        throw InputError(s"$one: tells what $other does; give one of them")
+      }
     if (o.look.isDefined) together("--look", "--yaw" -> o.yaw, "--pitch" -> o.pitch)
-    if (o.path.isDefined) together("--path", "--eye" -> o.eye, "--look" -> o.look, "--yaw" -> o.yaw, "--pitch" -> o.pitch)
+    if (o.path.isDefined)
+      together("--path", "--eye" -> o.eye, "--look" -> o.look, "--yaw" -> o.yaw, "--pitch" -> o.pitch)
     val focal = o.focal.getOrElse(225.0 * config.height / 240)
     val views = o.path match {
       case Some(file) => poses(file.toString, InputFile.text(file, "give a text file in UTF-8"), focal, config)

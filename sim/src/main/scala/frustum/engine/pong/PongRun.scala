@@ -33,8 +33,8 @@ final class PongRun(
 
   def play(frames: Int)(each: PongFrame => Unit): PongMeasures =
     EngineSim.run(PongSession.compile(config, board), None, seed) { dut =>
-      var states  = Vector(PongGame.start)
-      def next()  = { val b = player(states.last); states :+= states.last.tick(b); b }
+      var states = Vector(PongGame.start)
+      def next() = { val b = player(states.last); states :+= states.last.tick(b); b }
       val session = new PongSession(dut, next())
       for (f <- 0 until frames) {
         val atPins = session.frame()

@@ -15,8 +15,8 @@ import spinal.core.sim._
   */
 final class PongSession(dut: PongTestbed, first: PongButtons = PongButtons()) {
   press(first)
-  private val clock          = new DirectClock(dut.clockDomain)
-  private val session        = new VideoSession(dut.monitor)(clock.run)
+  private val clock = new DirectClock(dut.clockDomain)
+  private val session = new VideoSession(dut.monitor)(clock.run)
   def reader: SimVideoReader = session.reader
 
   def press(b: PongButtons): Unit = {

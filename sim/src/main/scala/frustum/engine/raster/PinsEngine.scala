@@ -22,7 +22,7 @@ final class PinsEngine(options: EngineOptions) extends Engine {
       session.run(PinsEngine.DisplayStartClocks)
       session.send(frames.head.textures.flatMap(Driver.commands).flatten, wait = true)
       frames.map { frame =>
-        val bytes  = frame.passes.flatMap(Driver.commands).flatten
+        val bytes = frame.passes.flatMap(Driver.commands).flatten
         val clocks = session.frame(bytes, config.width * config.height)
         session.controller.violations.headOption.foreach(v =>
           throw new IllegalStateException(s"the ${panel.name} would not put up with this: $v")
@@ -54,7 +54,8 @@ final class HardwareEngine(options: EngineOptions) extends Engine {
     val pins = new PinsEngine(options).render(frames)
     val core = new PipelineEngine(options.copy(wave = None)).render(frames)
     pins.zip(core).zipWithIndex.map { case ((p, c), i) =>
-      if (!p.image.sameElements(c.image)) throw new IllegalStateException(s"frame $i differs between pins and Stream core")
+      if (!p.image.sameElements(c.image))
+        throw new IllegalStateException(s"frame $i differs between pins and Stream core")
       c.copy(image = p.image, clocksAtPins = p.clocksAtPins)
     }
   }

@@ -10,10 +10,10 @@ import spinal.core.sim._
 final class PinsSession(dut: PinsTestbed) {
   import PinsSession._
   private val modulus = 1L << (PinsTestbed.RingLog2 + 1)
-  private val ring    = 1L << PinsTestbed.RingLog2
-  private var queued  = 0L
-  val controller      = new TftController(dut.panel)
-  private val reader  = new SimTftReader(dut.tft, controller, (PinsTestbed.CoreMHz * 1000000).toLong, PinsTestbed.Fast)
+  private val ring = 1L << PinsTestbed.RingLog2
+  private var queued = 0L
+  val controller = new TftController(dut.panel)
+  private val reader = new SimTftReader(dut.tft, controller, (PinsTestbed.CoreMHz * 1000000).toLong, PinsTestbed.Fast)
 
   dut.io.queued #= 0
   dut.io.frameStart #= 0

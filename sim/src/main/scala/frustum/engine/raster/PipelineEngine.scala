@@ -21,7 +21,7 @@ final class PipelineEngine(options: EngineOptions, byteStall: Double = 0, pixelS
       frames.head.textures.flatMap(Driver.commands).foreach(session.send)
       frames.flatMap(_.passes).flatMap(Driver.commands).foreach(session.send)
       val drawn = frames.map { frame =>
-        val image  = new Array[Int](config.width * config.height)
+        val image = new Array[Int](config.width * config.height)
         val passes = frame.passes.map(session.take(_, image))
         RenderedFrame(
           image,

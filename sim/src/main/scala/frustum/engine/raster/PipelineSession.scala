@@ -13,7 +13,7 @@ import scala.collection.mutable
   */
 final case class DrawnPass(clocks: Long, events: Seq[PipelineEvent]) {
   def setUps: Int = events.count(_.kind == PipelineEvent.SetUp)
-  def moves: Int  = events.count(_.kind == PipelineEvent.Moved)
+  def moves: Int = events.count(_.kind == PipelineEvent.Moved)
 }
 
 /** Talks to a running [[PipelineTestbed]]: bytes in, passes out. To be made first thing in the simulation.
@@ -22,10 +22,10 @@ final case class DrawnPass(clocks: Long, events: Seq[PipelineEvent]) {
   */
 final class PipelineSession(dut: PipelineTestbed, seed: Long = 1, byteStall: Double = 0, pixelStall: Double = 0) {
   import PipelineSession._
-  private val config                             = dut.config
-  private val waiting                            = mutable.Queue.empty[Int] // bytes for which the ring had no room yet
-  private val pixels                             = mutable.Queue.empty[RecordedPixel]
-  private val events                             = mutable.Queue.empty[PipelineEvent]
+  private val config = dut.config
+  private val waiting = mutable.Queue.empty[Int] // bytes for which the ring had no room yet
+  private val pixels = mutable.Queue.empty[RecordedPixel]
+  private val events = mutable.Queue.empty[PipelineEvent]
   private var (queued, takenPixels, takenEvents) = (0L, 0L, 0L)
 
   dut.io.queued #= 0
@@ -58,7 +58,7 @@ final class PipelineSession(dut: PipelineTestbed, seed: Long = 1, byteStall: Dou
     */
   def take(region: TileRegion, into: Array[Int]): DrawnPass = {
     val total = pixelsOf(region, config)
-    var last  = -1L
+    var last = -1L
     var quiet = 0
     while (pixels.length < total || !events.exists(_.kind == PipelineEvent.Drawn)) {
       val now = run(StepClocks)
@@ -67,7 +67,9 @@ final class PipelineSession(dut: PipelineTestbed, seed: Long = 1, byteStall: Dou
       if (quiet >= HangClocks) throw new IllegalStateException(
         s"the pipeline hangs: nothing for $quiet clocks, ${pixels.length} of $total pixels of a pass have come, " +
           s"${waiting.length + queued - dut.feeder.io.sent.toLong} bytes were not taken, " +
-          s"events since the last pass: ${PipelineEvent.Names.indices.map(k => s"${events.count(_.kind == k)} ${PipelineEvent.Names(k)}").mkString(", ")}; $status"
+          s"events since the last pass: ${PipelineEvent.Names.indices.map(k =>
+              s"${events.count(_.kind == k)} ${PipelineEvent.Names(k)}"
+            ).mkString(", ")}; $status"
       )
     }
     val taken = Seq.fill(total)(pixels.dequeue())
@@ -133,7 +135,7 @@ object PipelineSession {
   val HangClocks = 200000
 
   def pixelsOf(region: TileRegion, c: RasterConfig): Int = {
-    val width  = ((region.x1 + 1) * c.tileWidth).min(c.width) - region.x0 * c.tileWidth
+    val width = ((region.x1 + 1) * c.tileWidth).min(c.width) - region.x0 * c.tileWidth
     val height = ((region.y1 + 1) * c.tileHeight).min(c.height) - region.y0 * c.tileHeight
     width * height
   }

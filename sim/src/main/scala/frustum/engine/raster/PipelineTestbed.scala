@@ -13,25 +13,25 @@ import spinal.core.sim._
   */
 case class PipelineTestbed(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val queued                = in UInt (32 bits) // see SimByteFeeder
-    val byteStall, pixelStall = in UInt (8 bits)  // see SimRandomStall
-    val seed                  = in UInt (32 bits)
-    val status                = out(LinkStatus())
+    val queued = in UInt (32 bits) // see SimByteFeeder
+    val byteStall, pixelStall = in UInt (8 bits) // see SimRandomStall
+    val seed = in UInt (32 bits)
+    val status = out(LinkStatus())
   }
   val pipeline = RasterPipeline(config, dropWhenFull = false, tech = Tech.Generic)
-  val feeder   = SimByteFeeder()
+  val feeder = SimByteFeeder()
   val recorder = SimPixelRecorder(config)
-  val events   = SimEventRecorder(PipelineEvent.Count)
-  val time     = RegInit(U(0, 36 bits))
+  val events = SimEventRecorder(PipelineEvent.Count)
+  val time = RegInit(U(0, 36 bits))
   time := time + 1
 
-  val byteStalls  = new SimRandomStall(io.byteStall, io.seed)
+  val byteStalls = new SimRandomStall(io.byteStall, io.seed)
   val pixelStalls = new SimRandomStall(io.pixelStall, ~io.seed)
-  feeder.io.queued  := io.queued
-  feeder.io.stall   := byteStalls.stall
+  feeder.io.queued := io.queued
+  feeder.io.stall := byteStalls.stall
   recorder.io.stall := pixelStalls.stall
-  recorder.io.time  := time
-  events.io.time    := time
+  recorder.io.time := time
+  events.io.time := time
   feeder.io.bytes >> pipeline.io.bytes
   pipeline.io.pixels >> recorder.io.pixels
   io.status := pipeline.io.status
@@ -40,10 +40,10 @@ case class PipelineTestbed(config: RasterConfig) extends Component {
   events.io.pulses(PipelineEvent.Drawn) := pipeline.io.drawing.fall(False)
   events.io.pulses(PipelineEvent.SetUp) := pipeline.io.setUp
   events.io.pulses(PipelineEvent.Moved) := pipeline.io.moved
-  private val job     = pipeline.rasterizer.setup.found // given back when it has been dealt with
+  private val job = pipeline.rasterizer.setup.found // given back when it has been dealt with
   private val jobDone = job.valid.pull() && job.ready.pull()
   private val tileEnd = job.job.tileEnd.pull()
-  events.io.pulses(PipelineEvent.Missed)  := jobDone && !tileEnd && !pipeline.io.moved
+  events.io.pulses(PipelineEvent.Missed) := jobDone && !tileEnd && !pipeline.io.moved
   events.io.pulses(PipelineEvent.TileEnd) := jobDone && tileEnd
 }
 
@@ -55,12 +55,12 @@ object PipelineEvent {
   /** A frame or pass starts, its store loaded; its last triangle is drawn; a triangle was set up whole; was moved to a
     * tile; has no pixel in a tile that its box touches; no more triangles in a tile.
     */
-  val Start      = 0
-  val Drawn      = 1
-  val SetUp      = 2
-  val Moved      = 3
-  val Missed     = 4
-  val TileEnd    = 5
-  val Names      = Seq("started", "drawn", "set up", "moved", "missed", "tile ends")
+  val Start = 0
+  val Drawn = 1
+  val SetUp = 2
+  val Moved = 3
+  val Missed = 4
+  val TileEnd = 5
+  val Names = Seq("started", "drawn", "set up", "moved", "missed", "tile ends")
   val Count: Int = Names.length
 }

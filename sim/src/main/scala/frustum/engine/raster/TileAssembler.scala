@@ -19,7 +19,8 @@ final class TileAssembler(config: RasterConfig, region: TileRegion, into: Array[
       val pixel = stream.next()
       if (pixel.tileX != tileX || pixel.tileY != tileY || pixel.first != (x == left && y == top))
         throw new IllegalStateException(
-          s"pixel ($x, $y) of tile ($tileX, $tileY) is due, but the pipeline sends ${if (pixel.first) "the first" else "another"} " +
+          s"pixel ($x, $y) of tile ($tileX, $tileY) is due, but the pipeline sends ${if (pixel.first) "the first"
+            else "another"} " +
             s"pixel of tile (${pixel.tileX}, ${pixel.tileY})"
         )
       into(y * config.width + x) = pixel.color

@@ -13,7 +13,7 @@ final class VoxelBoardSession(dut: VoxelBoardTestbed) {
   dut.io.pad.dat #= true
   dut.clockDomain.forkStimulus(EngineSim.Period)
   dut.clockDomain.waitSampling(10)
-  private val session        = new VideoSession(dut.monitor, config.divider)(EngineSim.clocks(dut.clockDomain))
+  private val session = new VideoSession(dut.monitor, config.divider)(EngineSim.clocks(dut.clockDomain))
   def reader: SimVideoReader = session.reader
 
   /** Puts the words of a world into its memory, by the simulator's back door: by the serial line it takes 21 seconds. */
@@ -46,7 +46,7 @@ final class VoxelBoardSession(dut: VoxelBoardTestbed) {
     frame()
   }
   def clocks: Long = dut.io.clocks.toLong
-  def steps: Long  = dut.io.steps.toLong
+  def steps: Long = dut.io.steps.toLong
 }
 
 object VoxelBoardSession {

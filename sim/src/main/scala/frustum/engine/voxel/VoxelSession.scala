@@ -20,7 +20,8 @@ final class VoxelSession(dut: VoxelTestbed) {
 
   /** Puts the words of a world into its memory, by the simulator's back door; those that are there already are left alone. */
   def load(words: Array[Int], there: Array[Int] = Array.empty): Unit =
-    for (i <- words.indices if !there.lift(i).contains(words(i))) dut.pipeline.memory.words.setBigInt(i.toLong, BigInt(words(i)))
+    for (i <- words.indices if !there.lift(i).contains(words(i)))
+      dut.pipeline.memory.words.setBigInt(i.toLong, BigInt(words(i)))
 
   def frame(camera: VoxelCamera, highlight: Boolean): VoxelFrame = {
     def put(port: Direction, v: IntVector): Unit = for (k <- 0 to 2) port.axes(k) #= v(k)

@@ -10,17 +10,30 @@ final class RasterModel(config: RasterConfig) extends PassRenderer {
 
   def draw(pass: FramePass, memory: Array[Int], into: Array[Int], probe: Option[FragmentProbe]): Unit = {
     val stages = new FragmentModel(config, memory)
-    val f      = new Fragment
+    val f = new Fragment
     Rasterizer(config).draw(
       pass,
       new FragmentSink {
-        private var originX, originY           = 0
+        private var originX, originY = 0
         def tile(tileX: Int, tileY: Int): Unit = {
           originX = tileX * config.tileWidth
           originY = tileY * config.tileHeight
           stages.clear(pass.clearColor)
         }
-        def fragment(n: Int, state: RenderState, x: Int, y: Int, s: Int, t: Int, q: Int, z: Int, r: Int, g: Int, b: Int, a: Int): Unit = {
+        def fragment(
+            n: Int,
+            state: RenderState,
+            x: Int,
+            y: Int,
+            s: Int,
+            t: Int,
+            q: Int,
+            z: Int,
+            r: Int,
+            g: Int,
+            b: Int,
+            a: Int
+        ): Unit = {
           f.x = x; f.y = y; f.s = s; f.t = t; f.q = q; f.z = z; f.r = r; f.g = g; f.b = b; f.a = a
           probe.foreach { p =>
             val texel = if (state.combine == Combine.ColorOnly) 0 else TextureUnit.texel(divide, s, t, q, state)

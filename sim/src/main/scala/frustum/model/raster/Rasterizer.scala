@@ -44,10 +44,17 @@ final case class Rasterizer(config: RasterConfig) {
     }
   }
 
-  private def drawInTile(pass: FramePass, n: Int, setup: TriangleSetup, tileX: Int, tileY: Int, sink: FragmentSink): Unit = {
+  private def drawInTile(
+      pass: FramePass,
+      n: Int,
+      setup: TriangleSetup,
+      tileX: Int,
+      tileY: Int,
+      sink: FragmentSink
+  ): Unit = {
     val (originX, originY) = (tileX * config.tileWidth, tileY * config.tileHeight)
-    val right              = scala.math.min(originX + config.tileWidth, config.width) - 1
-    val bottom             = scala.math.min(originY + config.tileHeight, config.height) - 1
+    val right = scala.math.min(originX + config.tileWidth, config.width) - 1
+    val bottom = scala.math.min(originY + config.tileHeight, config.height) - 1
     if (mayTouch(pass, n, originX, right, originY, bottom)) {
       setup.edges(originX, right, originY, bottom)
       val spans =
@@ -60,7 +67,10 @@ final case class Rasterizer(config: RasterConfig) {
           val pixels = if (row % 2 == 0) span.first to span.last else span.last to span.first by -1
           for (x <- pixels) {
             def plane(p: Int) =
-              cut(p, setup.initial(p)) + (x - first.first) * cut(p, setup.gradientX(p)) + (span.y - first.y) * cut(p, setup.gradientY(p))
+              cut(p, setup.initial(p)) + (x - first.first) * cut(p, setup.gradientX(p)) + (span.y - first.y) * cut(
+                p,
+                setup.gradientY(p)
+              )
             sink.fragment(
               n,
               state,
@@ -85,6 +95,8 @@ final case class Rasterizer(config: RasterConfig) {
   private def mayTouch(pass: FramePass, n: Int, left: Int, right: Int, top: Int, bottom: Int): Boolean = {
     val t = pass.triangles(n)
     val v = Seq(t.v0, t.v1, t.v2).map(pass.vertices)
-    v.exists(_.x >= 16 * left) && v.exists(_.x < 16 * right + 16) && v.exists(_.y >= 16 * top) && v.exists(_.y < 16 * bottom + 16)
+    v.exists(_.x >= 16 * left) && v.exists(_.x < 16 * right + 16) && v.exists(_.y >= 16 * top) && v.exists(
+      _.y < 16 * bottom + 16
+    )
   }
 }

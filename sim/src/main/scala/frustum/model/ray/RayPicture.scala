@@ -9,25 +9,25 @@ case class RayPixel(rgb: Int, objectId: Int)
 
 /** Bit-exact model of the ray caster. */
 class RayPicture(scene: RayScene, width: Int, height: Int) {
-  private val program                   = RayProgram(scene, width, height)
-  private val setup                     = new RaySetup(program, scene, width, height)
-  private val forms                     = program.forms.toArray
-  private val index                     = forms.map(_.name).zipWithIndex.toMap
-  private val room                      = scene.room
-  private val value                     = new Array[Long](forms.length)
-  private val step                      = new Array[Long](forms.length)
-  private val curve                     = new Array[Long](forms.length)
+  private val program = RayProgram(scene, width, height)
+  private val setup = new RaySetup(program, scene, width, height)
+  private val forms = program.forms.toArray
+  private val index = forms.map(_.name).zipWithIndex.toMap
+  private val room = scene.room
+  private val value = new Array[Long](forms.length)
+  private val step = new Array[Long](forms.length)
+  private val curve = new Array[Long](forms.length)
   private def apply(name: String): Long = value(index(name))
 
   private val direction = (0 to 2).map(a => index(s"direction$a"))
-  private val across    = Wall.all.map(w => w.across.map(u => index(s"across${w.index}_$u")))
-  private val quads     = scene.quads.indices.map(i => (0 to 1).map(u => index(s"quad${i}_$u")))
-  private val spheres   = scene.spheres.indices.map(i => (index(s"sphere$i"), index(s"along$i")))
-  private val lit       = scene.light.isDefined
-  private val format    = RayShade(scene, program, width, height)
-  private val shade     = format.map(new SphereShade(_))
-  private val ramps     = format.toSeq.flatMap(s => scene.spheres.indices.map(s.ramp))
-  private val shadows   = scene.spheres.indices.map { i =>
+  private val across = Wall.all.map(w => w.across.map(u => index(s"across${w.index}_$u")))
+  private val quads = scene.quads.indices.map(i => (0 to 1).map(u => index(s"quad${i}_$u")))
+  private val spheres = scene.spheres.indices.map(i => (index(s"sphere$i"), index(s"along$i")))
+  private val lit = scene.light.isDefined
+  private val format = RayShade(scene, program, width, height)
+  private val shade = format.map(new SphereShade(_))
+  private val ramps = format.toSeq.flatMap(s => scene.spheres.indices.map(s.ramp))
+  private val shadows = scene.spheres.indices.map { i =>
     if (!lit) Nil else Wall.all.map(w => (index(s"shadow${i}_${w.index}"), index(s"gate${i}_${w.index}")))
   }
 
@@ -71,7 +71,7 @@ class RayPicture(scene: RayScene, width: Int, height: Int) {
   private def pixel(): RayPixel = {
     val hitSpheres = spheres.indices.filter(i => value(spheres(i)._1) >= 0 && value(spheres(i)._2) > 0)
     if (hitSpheres.nonEmpty) {
-      val i     = hitSpheres.minBy(i => value(spheres(i)._2))
+      val i = hitSpheres.minBy(i => value(spheres(i)._2))
       val color = shade.fold(scene.spheres(i).color) { s =>
         ramps(i)(s(
           apply(s"sphere$i"),
@@ -99,7 +99,7 @@ class RayPicture(scene: RayScene, width: Int, height: Int) {
             apply(s"power$i") <= 0 || (value(gate) > 0 && value(q) >= 0)
           }
         }
-        val n    = w.sign * value(direction(w.axis))
+        val n = w.sign * value(direction(w.axis))
         val quad = if (w != Wall.back) None
         else quads.indices.find { i =>
           quads(i).forall { f => value(f) >= 0 && 2L * scene.quads(i).half * n - value(f) >= 0 }

@@ -13,7 +13,7 @@ final case class VoxelPixel(ray: RayStart, seen: Seq[SeenFace], color: Int, step
 final class VoxelModel(val config: VoxelConfig, val assets: VoxelAssets, val world: VoxelWorld) {
   require(world.size == config.size, s"a world of ${world.size} for hardware of ${config.size}")
   val words: Array[Int] = LeapWords(world, config.leaps)
-  private val marcher   = new Marcher(config, assets.table, words)
+  private val marcher = new Marcher(config, assets.table, words)
 
   /** @param pointedAt the block and face to be highlighted */
   def pixel(camera: VoxelCamera, i: Int, j: Int, pointedAt: Option[SeenFace] = None): VoxelPixel =
@@ -21,7 +21,7 @@ final class VoxelModel(val config: VoxelConfig, val assets: VoxelAssets, val wor
 
   /** The nearest face of a selectable block that the middle of the screen shows within `reach` blocks. */
   def pointedAt(camera: VoxelCamera, reach: Int): Option[SeenFace] = {
-    val eye   = camera.eye.axes
+    val eye = camera.eye.axes
     var found = Option.empty[SeenFace]
     marcher.march(VoxelRaySetup(eye, camera.look.axes, config)) { hit =>
       val texel = FaceTexel(hit, eye, config)
@@ -36,17 +36,17 @@ final class VoxelModel(val config: VoxelConfig, val assets: VoxelAssets, val wor
     marcher.march(VoxelRaySetup(camera.eye.axes, camera.look.axes, config))(_ => ())
 
   private def cast(camera: VoxelCamera, direction: Seq[Int], pointedAt: Option[SeenFace]): VoxelPixel = {
-    val eye    = camera.eye.axes
-    val ray    = VoxelRaySetup(eye, direction, config)
-    val faces  = Seq.newBuilder[SeenFace]
+    val eye = camera.eye.axes
+    val ray = VoxelRaySetup(eye, direction, config)
+    val faces = Seq.newBuilder[SeenFace]
     var inView = true
     var layers = LayerComposite.Empty
-    val steps  = marcher.march(ray) { hit =>
+    val steps = marcher.march(ray) { hit =>
       val texel = FaceTexel(hit, eye, config)
       inView &&= texel.farSquared <= config.farSquared
       if (inView) {
-        val face   = seen(hit, texel)
-        val rgba   = assets.textures(assets.table(hit.id).textures(texel.face), texel.u, texel.v)
+        val face = seen(hit, texel)
+        val rgba = assets.textures(assets.table(hit.id).textures(texel.face), texel.u, texel.v)
         val chosen = pointedAt.exists(_.sameFace(face))
         layers =
           layers.behind(LayerComposite.face(rgba, texel.face, texel.farSquared, chosen, config), rgba & 15)

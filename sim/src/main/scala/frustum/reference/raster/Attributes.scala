@@ -17,12 +17,12 @@ final class TriangleAttributes(v: IndexedSeq[ScreenVertex]) {
 
   /** At the centre of pixel (x, y). The triangle must not be degenerate. */
   def apply(x: Int, y: Int): Attributes = {
-    val (px, py)                          = (x + 0.5, y + 0.5)
-    val l0                                = cross(v1, v2, px, py) / area
-    val l1                                = cross(v2, v0, px, py) / area
-    val l2                                = cross(v0, v1, px, py) / area
+    val (px, py) = (x + 0.5, y + 0.5)
+    val l0 = cross(v1, v2, px, py) / area
+    val l1 = cross(v2, v0, px, py) / area
+    val l2 = cross(v0, v1, px, py) / area
     def linear(f: ScreenVertex => Double) = l0 * f(v0) + l1 * f(v1) + l2 * f(v2)
-    val q                                 = linear(_.q)
+    val q = linear(_.q)
     Attributes(
       linear(w => w.s * w.q) / q,
       linear(w => w.t * w.q) / q,

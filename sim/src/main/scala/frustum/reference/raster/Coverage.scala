@@ -105,7 +105,7 @@ object ExactCoverage {
 final class FloatCoverage(v: IndexedSeq[ScreenVertex]) extends Coverage {
   private def edge(a: ScreenVertex, b: ScreenVertex, px: Double, py: Double) =
     (b.x - a.x) * (py - a.y) - (b.y - a.y) * (px - a.x)
-  private val area    = edge(v(0), v(1), v(2).x, v(2).y)
+  private val area = edge(v(0), v(1), v(2).x, v(2).y)
   private val turning = if (area < 0) v.reverse else v
 
   private def inside(a: ScreenVertex, b: ScreenVertex, x: Int, y: Int) = {

@@ -33,8 +33,8 @@ final class Mesa(program: Path) {
       }
     }
     def flag(b: Boolean) = if (b) 1 else 0
-    val size             = s"${config.width} ${config.height} ${flag(textured)} ${flag(depth)} ${pass.triangles.length}"
-    val bytes            = run((size +: lines).mkString("\n"))
+    val size = s"${config.width} ${config.height} ${flag(textured)} ${flag(depth)} ${pass.triangles.length}"
+    val bytes = run((size +: lines).mkString("\n"))
     Array.tabulate(config.width * config.height) { i =>
       val at = 4 * ((config.height - 1 - i / config.width) * config.width + i % config.width)
       (0 until 3).foldLeft(0)((c, k) => c << 8 | bytes(at + k) & 255)
@@ -43,7 +43,7 @@ final class Mesa(program: Path) {
 
   /** By files, because pipes of scala.sys.process lose the last kilobyte at times. */
   private def run(input: String): Array[Byte] = {
-    val files                 = Seq("in", "out", "err").map(Files.createTempFile("mesa", _))
+    val files = Seq("in", "out", "err").map(Files.createTempFile("mesa", _))
     val Seq(from, to, errors) = files
     try {
       Files.writeString(from, input)
@@ -60,7 +60,7 @@ final class Mesa(program: Path) {
 
   private def words(s: RenderState): String = {
     val (w, h) = s.texture.fold((3, 3))(t => (t.log2Width, t.log2Height))
-    val flags  = Seq(s.depth.less, s.depth.equal, s.depth.greater, s.depthWrite).map(if (_) 1 else 0)
+    val flags = Seq(s.depth.less, s.depth.equal, s.depth.greater, s.depthWrite).map(if (_) 1 else 0)
     (Seq(w, h, s.wrapS.code, s.wrapT.code) ++ flags).mkString(" ")
   }
 }
@@ -74,7 +74,7 @@ object Mesa {
     val source = getClass.getResourceAsStream("/mesa/draw.c").readAllBytes()
     OutputFile.write(folder.resolve("draw.c"))(part => Files.write(part, source))
     val command = Seq("gcc", "-O1", "-o", s"$folder/draw", s"$folder/draw.c", "-lOSMesa")
-    val built   =
+    val built =
       try command.!(ProcessLogger(_ => ())) == 0
       catch { case _: java.io.IOException => false }
     Option.when(built)(new Mesa(folder.resolve("draw")))

@@ -8,11 +8,11 @@ import frustum.contract.raster.{RasterConfig, RenderState}
   * numbered as drawn over all passes; -1 where there is none. `depth` starts at the farthest value.
   */
 final class ReferenceFrame(val config: RasterConfig) {
-  private val pixels       = config.width * config.height
-  val color: Array[Rgba]   = Array.fill(pixels)(Rgba(0, 0, 0, 255))
+  private val pixels = config.width * config.height
+  val color: Array[Rgba] = Array.fill(pixels)(Rgba(0, 0, 0, 255))
   val depth: Array[Double] = Array.fill(pixels)(ScreenVertex.DepthMax)
-  val winner: Array[Int]   = Array.fill(pixels)(-1)
-  val nearest: Array[Int]  = Array.fill(pixels)(-1)
+  val winner: Array[Int] = Array.fill(pixels)(-1)
+  val nearest: Array[Int] = Array.fill(pixels)(-1)
 
   def clear(rect: PixelRect, to: Rgba): Unit =
     for (y <- rect.y0 to rect.y1; x <- rect.x0 to rect.x1) {
@@ -22,7 +22,7 @@ final class ReferenceFrame(val config: RasterConfig) {
 
   /** Alpha test, depth test, blend and write of one fragment. */
   def write(triangle: Int, x: Int, y: Int, z: Double, source: Rgba, state: RenderState): Unit = {
-    val i      = y * config.width + x
+    val i = y * config.width + x
     val passes =
       if (z < depth(i)) state.depth.less else if (z == depth(i)) state.depth.equal else state.depth.greater
     if (Shading.passesAlphaTest(state, source.a) && passes) {

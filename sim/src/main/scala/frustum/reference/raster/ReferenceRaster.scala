@@ -90,7 +90,7 @@ object ReferenceRaster {
   ): Unit = {
     val attributes = new TriangleAttributes(corners)
     coverage.foreach(rect) { (x, y) =>
-      val at    = attributes(x, y)
+      val at = attributes(x, y)
       val texel = Shading.texelOf(state, at)
       watch(ReferenceFragment(index, x, y, at, texel, state))
       target.write(index, x, y, at.z, Shading.color(state, memory, at, texel), state)

@@ -25,7 +25,7 @@ object Shading {
     val vertex = Rgba(clamp(at.r), clamp(at.g), clamp(at.b), clamp(at.a))
     (textureOf(state), texel) match {
       case (Some(texture), Some((s, t))) =>
-        val c      = Sampler.texel(memory, texture, s, t)
+        val c = Sampler.texel(memory, texture, s, t)
         val opaque = texture.format == TexelFormat.Rgb565
         if (state.combine == Combine.Replace) c.copy(a = if (opaque) vertex.a else c.a)
         else Rgba(

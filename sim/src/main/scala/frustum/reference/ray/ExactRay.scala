@@ -14,13 +14,13 @@ case class ExactPixel(objectId: Int, shadowed: Boolean, paint: Int, rgb: Seq[Dou
 class ExactRay(scene: RayScene) {
   import scene.room
   private type V = Seq[BigInt]
-  private def big(v: IntVector): V    = v.axes.map(BigInt(_))
+  private def big(v: IntVector): V = v.axes.map(BigInt(_))
   private def dot(a: V, b: V): BigInt = a.zip(b).map { case (x, y) => x * y }.sum
-  private def minus(a: V, b: V): V    = a.zip(b).map { case (x, y) => x - y }
+  private def minus(a: V, b: V): V = a.zip(b).map { case (x, y) => x - y }
 
   /** Sphere (C, r) and the ray E + t D: (|D|^2, D.(C - E), discriminant) of |E + t D - C|^2 = r^2. */
   private def sphere(e: V, d: V, c: V, r: Int): (BigInt, BigInt, BigInt) = {
-    val o      = minus(c, e)
+    val o = minus(c, e)
     val (a, b) = (dot(d, d), dot(d, o))
     (a, b, b * b - a * (dot(o, o) - BigInt(r).pow(2)))
   }
@@ -30,9 +30,9 @@ class ExactRay(scene: RayScene) {
 
   def apply(motion: RayMotion, h: Int, v: Int): ExactPixel = {
     val camera = motion.cameraOf(scene)
-    val d      = big(camera.direction(h, v))
-    val e      = big(camera.eye)
-    val hits   = motion.spheres.indices.flatMap { i =>
+    val d = big(camera.direction(h, v))
+    val e = big(camera.eye)
+    val hits = motion.spheres.indices.flatMap { i =>
       val (a, b, q) = sphere(e, d, big(motion.spheres(i)), scene.spheres(i).radius)
       // Both roots positive: the eye is outside, so their product is.
       if (a > 0 && q >= 0 && b > 0) Some((i, b, q)) else None
@@ -50,7 +50,7 @@ class ExactRay(scene: RayScene) {
     // sqrt(qm) - sqrt(qn) < bm - bn; squared twice with the signs kept.
     val (x, p, q) = (m._2 - n._2, m._3, n._3)
     // sqrt(p) < x + sqrt(q)
-    val rest        = p - x * x - q // against 2 x sqrt(q)
+    val rest = p - x * x - q // against 2 x sqrt(q)
     def sumPositive = x >= 0 || q > x * x
     sumPositive && (if (x >= 0) rest < 0 || rest * rest < 4 * x * x * q
                     else rest < 0 && rest * rest > 4 * x * x * q)
@@ -66,7 +66,7 @@ class ExactRay(scene: RayScene) {
     }
     if (met.isEmpty) return background
     val (axis, at, k, n) = met.reduceLeft((m, x) => if (x._3 * m._4 < m._3 * x._4) x else m)
-    val hit              = (0 to 2).map(a => e(a) * n + k * d(a)) // times n
+    val hit = (0 to 2).map(a => e(a) * n + k * d(a)) // times n
     if (hit(2) < n * room.low.z) return background
     val quad =
       if (axis != 2) None
@@ -78,7 +78,7 @@ class ExactRay(scene: RayScene) {
       val toHit = (0 to 2).map(a => hit(a) - n * light(a)) // n (hit - light)
       motion.spheres.indices.exists { i =>
         val (a, b, q) = sphere(light, toHit, big(motion.spheres(i)), scene.spheres(i).radius)
-        val c         = dot(
+        val c = dot(
           minus(big(motion.spheres(i)), light),
           minus(big(motion.spheres(i)), light)
         ) - BigInt(scene.spheres(i).radius).pow(2)
@@ -111,17 +111,17 @@ class ExactRay(scene: RayScene) {
     }
   }
 
-  private def background                 = ExactPixel(0, false, 0, split(scene.background))
+  private def background = ExactPixel(0, false, 0, split(scene.background))
   private def split(c: Int): Seq[Double] = Seq(16, 8, 0).map(s => (c >> s & 255).toDouble)
 
   /** colour (1/4 + 3/4 max(0, n.l)); full colour in a scene without light. */
   private def shadeSphere(motion: RayMotion, i: Int, e: V, d: V, b: BigInt, q: BigInt): Seq[Double] = {
     val color = split(scene.spheres(i).color)
     scene.light.fold(color) { p =>
-      val t      = (b.toDouble - scala.math.sqrt(q.toDouble)) / dot(d, d).toDouble
-      val hit    = (0 to 2).map(a => e(a).toDouble + t * d(a).toDouble)
-      val n      = (0 to 2).map(a => (hit(a) - motion.spheres(i)(a)) / scene.spheres(i).radius)
-      val l      = (0 to 2).map(a => p(a) - hit(a))
+      val t = (b.toDouble - scala.math.sqrt(q.toDouble)) / dot(d, d).toDouble
+      val hit = (0 to 2).map(a => e(a).toDouble + t * d(a).toDouble)
+      val n = (0 to 2).map(a => (hit(a) - motion.spheres(i)(a)) / scene.spheres(i).radius)
+      val l = (0 to 2).map(a => p(a) - hit(a))
       val length = scala.math.sqrt(l.map(x => x * x).sum)
       val cosine = scala.math.max(0, n.zip(l).map { case (x, y) => x * y }.sum / length)
       color.map(_ * (0.25 + 0.75 * cosine))

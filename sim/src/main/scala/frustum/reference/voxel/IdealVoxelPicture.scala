@@ -16,31 +16,31 @@ final class IdealVoxelPicture(c: VoxelConfig, assets: VoxelAssets, world: VoxelW
   def picture(): Array[Int] = Array.tabulate(c.pixels)(i => pixel(i % c.width, i / c.width))
 
   def pixel(i: Int, j: Int): Int = {
-    val ray   = view.direction(i, j, c)
-    val d     = Array(ray.x, ray.y, ray.z)
-    val step  = d.map(x => if (x < 0) -1 else 1)
+    val ray = view.direction(i, j, c)
+    val d = Array(ray.x, ray.y, ray.z)
+    val step = d.map(x => if (x < 0) -1 else 1)
     val block =
       Array.tabulate(3)(k => if (d(k) < 0) scala.math.ceil(eye(k)).toInt - 1 else floor(eye(k)).toInt)
-    val length            = ray.length
-    val color             = Array(0.0, 0.0, 0.0)
+    val length = ray.length
+    val color = Array(0.0, 0.0, 0.0)
     var (clear, previous) = (1.0, world(block(0), block(1), block(2)))
-    def crossing(k: Int)  =
+    def crossing(k: Int) =
       if (d(k) == 0) Double.PositiveInfinity else (block(k) + (if (d(k) < 0) 0 else 1) - eye(k)) / d(k)
     var going = true
     while (going) {
       val axis = (1 to 2).foldLeft(0)((best, k) => if (crossing(k) < crossing(best)) k else best)
-      val t    = crossing(axis)
+      val t = crossing(axis)
       block(axis) += step(axis)
       if (t * length > c.distance) going = false
       else {
         val id = world(block(0), block(1), block(2))
         if (id != 0 && !(id == previous && assets.table(id).joins)) {
-          val face   = 2 * axis + (if (d(axis) < 0) 1 else 0)
-          val at     = (0 to 2).map(k => ((eye(k) + t * d(k) - block(k)) * 16).toInt.max(0).min(15))
+          val face = 2 * axis + (if (d(axis) < 0) 1 else 0)
+          val at = (0 to 2).map(k => ((eye(k) + t * d(k) - block(k)) * 16).toInt.max(0).min(15))
           val (u, v) = ExactMarch.uv(face, at)
-          val rgba   = assets.textures(assets.table(id).textures(face), u, v)
-          val far    = (t * length / c.distance)
-          val fog    = if (c.fog) ((far * far - 9.0 / 16) / (7.0 / 16)).max(0) else 0
+          val rgba = assets.textures(assets.table(id).textures(face), u, v)
+          val far = (t * length / c.distance)
+          val fog = if (c.fog) ((far * far - 9.0 / 16) / (7.0 / 16)).max(0) else 0
           val weight = clear * (rgba & 15) / 15
           for (k <- 0 to 2) {
             val lit = (rgba >> 12 - 4 * k & 15) * 17 * VoxelConfig.Light(face) / 256.0
@@ -65,8 +65,8 @@ final class IdealVoxelPicture(c: VoxelConfig, assets: VoxelAssets, world: VoxelW
       )
     }
     val (x, y) = onScreen(direction(0), direction(1), direction(2))
-    val dx     = x - (i + 0.5 - c.width / 2.0)
-    val dy     = y - (c.height / 2.0 - j - 0.5)
+    val dx = x - (i + 0.5 - c.width / 2.0)
+    val dy = y - (c.height / 2.0 - j - 0.5)
     sqrt(dx * dx + dy * dy)
   }
 }

@@ -7,12 +7,12 @@ class WordsTest extends AnyFunSuite {
   test("blanks, quotes and backslashes") {
     for (
       (line, words) <- Seq(
-        ""                    -> Seq(),
-        "  a   b "            -> Seq("a", "b"),
+        "" -> Seq(),
+        "  a   b " -> Seq("a", "b"),
         "--obj 'my mesh.obj'" -> Seq("--obj", "my mesh.obj"),
-        """a"b c"d"""         -> Seq("ab cd"),
-        """a\ b '\' "\"" """  -> Seq("a b", "\\", "\""),
-        "x '' y"              -> Seq("x", "", "y")
+        """a"b c"d""" -> Seq("ab cd"),
+        """a\ b '\' "\"" """ -> Seq("a b", "\\", "\""),
+        "x '' y" -> Seq("x", "", "y")
       )
     ) assert(Words.split(line) == words, line)
   }

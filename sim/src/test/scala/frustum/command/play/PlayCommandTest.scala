@@ -30,7 +30,18 @@ class PlayCommandTest extends AnyFunSuite {
 
   for (engine <- Seq("model", "hardware")) test(s"play voxel shows a world in a window, engine $engine") {
     assume(VirtualDisplay.isThere, "Xvfb is not installed")
-    val said = VirtualDisplay.run("frustum.command.Main", 300, "play", "voxel", "--frames", "3", "--size", "80x60", "--engine", engine)
+    val said = VirtualDisplay.run(
+      "frustum.command.Main",
+      300,
+      "play",
+      "voxel",
+      "--frames",
+      "3",
+      "--size",
+      "80x60",
+      "--engine",
+      engine
+    )
     assert(said.contains("3 frames, ") && said.contains("0 edits refused"), said)
   }
 

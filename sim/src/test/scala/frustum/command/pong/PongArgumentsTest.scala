@@ -11,13 +11,13 @@ import javax.imageio.ImageIO
 
 /** Bad arguments of `pong` and `play`: exit code 2, one line that says what would be right, and no file. */
 class PongArgumentsTest extends AnyFunSuite {
-  private val folder: Path                     = Files.createTempDirectory("pong")
-  private val inputs                           = Files.createTempDirectory("pong-inputs")
+  private val folder: Path = Files.createTempDirectory("pong")
+  private val inputs = Files.createTempDirectory("pong-inputs")
   private def file(name: String, text: String) = Files.writeString(inputs.resolve(name), text).toString
 
   private val letters = file("letters.txt", "u\n-\nlx\n")
-  private val empty   = file("none.json", """{"spheres": []}""")
-  private val still   =
+  private val empty = file("none.json", """{"spheres": []}""")
+  private val still =
     file("still.json", """{"spheres": [{"centre": [0, 0, 320], "radius": 20, "color": "ff0000"}]}""")
   private val moving = file(
     "moving.json",
@@ -42,26 +42,26 @@ class PongArgumentsTest extends AnyFunSuite {
   private val broken = file("broken.json", "{\n  \"light\": [1, 2,\n")
 
   private val table = Seq(
-    "pong --bad"                          -> Seq("--bad", "--help"),
-    "pong stray"                          -> Seq("stray"),
-    "pong --frames 0"                     -> Seq("--frames", "10000"),
-    "pong --mode 1024x768"                -> Seq("--mode", "640x480", "800x600"),
-    "pong --seed x"                       -> Seq("--seed"),
+    "pong --bad" -> Seq("--bad", "--help"),
+    "pong stray" -> Seq("stray"),
+    "pong --frames 0" -> Seq("--frames", "10000"),
+    "pong --mode 1024x768" -> Seq("--mode", "640x480", "800x600"),
+    "pong --seed x" -> Seq("--seed"),
     s"pong --autoplay --input '$letters'" -> Seq("--autoplay", "--input"),
-    "pong --input /no/such/file.txt"      -> Seq("/no/such/file.txt"),
-    s"pong --input '$letters'"            -> Seq("letters.txt:3:", "'x'", "u d l r"),
-    "pong --scene /no/such/scene.json"    -> Seq("/no/such/scene.json"),
-    s"pong --scene '$broken'"             -> Seq("broken.json:", "JSON"),
-    s"pong --scene '$empty'"              -> Seq("none.json", "0 spheres"),
-    s"pong --scene '$still'"              -> Seq("still.json", "puck", "(-300, -220, 20)"),
-    s"pong --scene '$moving'"             -> Seq("moving.json", "camera stands still", "(0, 0, -300)"),
-    s"pong --scene '$second'"             -> Seq("two.json", "sphere 1 moves", "centre"),
-    s"pong --scene '$remote'"             -> Seq("remote.json", "bits", "at most 64"),
-    s"pong --scene '$tiles'"              -> Seq("tiles.json", "192 kbit", "iCE40UP5K", "120"),
-    "pong --top arty-voxel"               -> Seq("--top", "arty-pong"),
-    "play"                                -> Seq("play pong"),
-    "play chess"                          -> Seq("chess", "play pong"),
-    "play pong --frames x"                -> Seq("--frames")
+    "pong --input /no/such/file.txt" -> Seq("/no/such/file.txt"),
+    s"pong --input '$letters'" -> Seq("letters.txt:3:", "'x'", "u d l r"),
+    "pong --scene /no/such/scene.json" -> Seq("/no/such/scene.json"),
+    s"pong --scene '$broken'" -> Seq("broken.json:", "JSON"),
+    s"pong --scene '$empty'" -> Seq("none.json", "0 spheres"),
+    s"pong --scene '$still'" -> Seq("still.json", "puck", "(-300, -220, 20)"),
+    s"pong --scene '$moving'" -> Seq("moving.json", "camera stands still", "(0, 0, -300)"),
+    s"pong --scene '$second'" -> Seq("two.json", "sphere 1 moves", "centre"),
+    s"pong --scene '$remote'" -> Seq("remote.json", "bits", "at most 64"),
+    s"pong --scene '$tiles'" -> Seq("tiles.json", "192 kbit", "iCE40UP5K", "120"),
+    "pong --top arty-voxel" -> Seq("--top", "arty-pong"),
+    "play" -> Seq("play pong"),
+    "play chess" -> Seq("chess", "play pong"),
+    "play pong --frames x" -> Seq("--frames")
   )
 
   for ((line, fragments) <- table) test(line.replace(inputs.toString, "")) {

@@ -9,9 +9,9 @@ import javax.imageio.ImageIO
 class PongCommandTest extends AnyFunSuite {
   test("frames, film and report of a game from a file") {
     val folder = Files.createTempDirectory("pong")
-    val input  = Files.writeString(Files.createTempFile("buttons", ".txt"), "ur\nu\n")
+    val input = Files.writeString(Files.createTempFile("buttons", ".txt"), "ur\nu\n")
     val report = folder.resolve("r.json")
-    val run    =
+    val run =
       CommandRunner.run(
         "pong",
         "--frames",
@@ -55,7 +55,7 @@ class PongCommandTest extends AnyFunSuite {
 
   test("of a long game, one frame of so many is judged and written") {
     val folder = Files.createTempDirectory("pong")
-    val run    = CommandRunner.run("pong", "--frames", "5", "--every", "3", "--out", folder.toString)
+    val run = CommandRunner.run("pong", "--frames", "5", "--every", "3", "--out", folder.toString)
     assert(run.code == 0, run)
     val json = ujson.read(Files.readString(folder.resolve("pong.json")))
     assert(json("frames").num == 5 && json("framesJudged").num == 2)

@@ -8,48 +8,48 @@ import java.nio.file.{Files, Path}
 /** Bad arguments: exit code 2, one line that names the argument and says what would be right, and no file. */
 class RenderArgumentsTest extends AnyFunSuite {
   private val folder: Path = Files.createTempDirectory("render")
-  private val out          = folder.resolve("picture.png").toString
-  private val report       = folder.resolve("report.json").toString
+  private val out = folder.resolve("picture.png").toString
+  private val report = folder.resolve("report.json").toString
 
   private val table = Seq(
-    "--bad"                          -> Seq("--bad", "--help"),
-    "--scene"                        -> Seq("--scene"),
-    "--scene bunny"                  -> Seq("--scene", "teapot"),
-    "stray"                          -> Seq("stray"),
-    "--scene cube --obj x.obj"       -> Seq("--obj", "--scene"),
-    "--obj /no/such/mesh.obj"        -> Seq("/no/such/mesh.obj"),
+    "--bad" -> Seq("--bad", "--help"),
+    "--scene" -> Seq("--scene"),
+    "--scene bunny" -> Seq("--scene", "teapot"),
+    "stray" -> Seq("stray"),
+    "--scene cube --obj x.obj" -> Seq("--obj", "--scene"),
+    "--obj /no/such/mesh.obj" -> Seq("/no/such/mesh.obj"),
     "--texture /no/such/picture.png" -> Seq("/no/such/picture.png"),
-    "--eye 1,2"                      -> Seq("--eye", "x,y,z"),
-    "--at 1,2,nan"                   -> Seq("--at", "finite"),
-    "--up 1,2,x"                     -> Seq("--up", "number"),
-    "--eye 0,0,0 --at 0,0,0"         -> Seq("eye", "at"),
-    "--fov 0"                        -> Seq("--fov", "0"),
-    "--fov 180"                      -> Seq("fov 180.0 must lie"),
-    "--near -1"                      -> Seq("near"),
-    "--near 5 --far 4"               -> Seq("near", "far"),
-    "--ortho 0"                      -> Seq("--ortho"),
-    "--size 240"                     -> Seq("--size", "240x320"),
-    "--size 0x320"                   -> Seq("--size"),
-    "--size 5000x320"                -> Seq("--size", "5000"),
-    "--light up"                     -> Seq("--light", "x,y,z"),
-    "--cull front"                   -> Seq("--cull", "back"),
-    "--filter bilinear"              -> Seq("--filter", "nearest"),
-    "--filter cubic"                 -> Seq("--filter", "cubic"),
-    "--wrap border"                  -> Seq("--wrap", "clamp"),
-    "--background red"               -> Seq("--background", "RRGGBB"),
-    "--engine gpu"                   -> Seq("--engine", "reference"),
-    "--frames 0"                     -> Seq("--frames"),
-    "--frames 2"                     -> Seq("--out", "%d"),
-    "--turn fast"                    -> Seq("--turn"),
-    "--wave x.fst"                   -> Seq("--wave", "hardware"),
-    "--panel st7789"                 -> Seq("--panel", "reference", "hardware"),
-    "--panel vga"                    -> Seq("--panel", "st7789"),
-    "--seed x"                       -> Seq("--seed")
+    "--eye 1,2" -> Seq("--eye", "x,y,z"),
+    "--at 1,2,nan" -> Seq("--at", "finite"),
+    "--up 1,2,x" -> Seq("--up", "number"),
+    "--eye 0,0,0 --at 0,0,0" -> Seq("eye", "at"),
+    "--fov 0" -> Seq("--fov", "0"),
+    "--fov 180" -> Seq("fov 180.0 must lie"),
+    "--near -1" -> Seq("near"),
+    "--near 5 --far 4" -> Seq("near", "far"),
+    "--ortho 0" -> Seq("--ortho"),
+    "--size 240" -> Seq("--size", "240x320"),
+    "--size 0x320" -> Seq("--size"),
+    "--size 5000x320" -> Seq("--size", "5000"),
+    "--light up" -> Seq("--light", "x,y,z"),
+    "--cull front" -> Seq("--cull", "back"),
+    "--filter bilinear" -> Seq("--filter", "nearest"),
+    "--filter cubic" -> Seq("--filter", "cubic"),
+    "--wrap border" -> Seq("--wrap", "clamp"),
+    "--background red" -> Seq("--background", "RRGGBB"),
+    "--engine gpu" -> Seq("--engine", "reference"),
+    "--frames 0" -> Seq("--frames"),
+    "--frames 2" -> Seq("--out", "%d"),
+    "--turn fast" -> Seq("--turn"),
+    "--wave x.fst" -> Seq("--wave", "hardware"),
+    "--panel st7789" -> Seq("--panel", "reference", "hardware"),
+    "--panel vga" -> Seq("--panel", "st7789"),
+    "--seed x" -> Seq("--seed")
   )
 
   for ((line, fragments) <- table) test(s"render $line") {
     val engine = if (line.contains("--engine")) Nil else Seq("--engine", "reference")
-    val run    = CommandRunner.run("render" +: (Words.split(line) ++ engine ++ Seq(
+    val run = CommandRunner.run("render" +: (Words.split(line) ++ engine ++ Seq(
       "--out",
       out,
       "--report",
@@ -63,7 +63,7 @@ class RenderArgumentsTest extends AnyFunSuite {
 
   test("an output folder that is a file is refused") {
     val file = Files.createTempFile("render", ".txt")
-    val run  = CommandRunner.run(
+    val run = CommandRunner.run(
       "render",
       "--engine",
       "reference",
@@ -81,7 +81,7 @@ class RenderArgumentsTest extends AnyFunSuite {
 
   test("a report that cannot be written is refused before anything is drawn") {
     val file = Files.createTempFile("render", ".txt")
-    val run  = CommandRunner.run("render", "--engine", "reference", "--out", out, "--report", s"$file/r.json")
+    val run = CommandRunner.run("render", "--engine", "reference", "--out", out, "--report", s"$file/r.json")
     assert(run.code == 2 && run.err.length == 1 && run.err.head.contains(s"$file/r.json"), run)
     assert(folder.toFile.list().isEmpty && !run.out.contains("teapot"), run)
   }

@@ -16,7 +16,7 @@ class RenderCommandTest extends AnyFunSuite {
 
   test("render writes a picture of the size asked for and a report") {
     val folder = Files.createTempDirectory("render")
-    val run    = CommandRunner.run(
+    val run = CommandRunner.run(
       "--line",
       s"render --scene cube --engine reference --size 64x48 --eye -1,2,3 --light 1,1,1" +
         s" --cull back --background 204060 --out '$folder/a b.png' --report $folder/r.json"
@@ -54,7 +54,7 @@ class RenderCommandTest extends AnyFunSuite {
 
   test("an animation has a picture for each frame, and they differ") {
     val folder = Files.createTempDirectory("render")
-    val run    = CommandRunner.run(
+    val run = CommandRunner.run(
       "render",
       "--scene",
       "cube",
@@ -85,7 +85,7 @@ class RenderCommandTest extends AnyFunSuite {
       Driver.prepare(scene, scene.camera, DrawOptions(None, cullBack = false, Wrap.Repeat, 0), small, 0)
     val drawn = new PassEngine(new ReferenceRenderer(_)).render(Seq(frame)).head
     for (i <- 0 until faults) drawn.image(i) ^= 1
-    val timed   = RenderedFrame(drawn.image, Some(5000), Some(9000), drawn.busBytes)
+    val timed = RenderedFrame(drawn.image, Some(5000), Some(9000), drawn.busBytes)
     val verdict = new FrameJudge(Some(new ReferenceRenderer(_)), simulated = true).judge(frame, timed)
     SceneFigures("cube", "hardware", small, Seq(FrameFigures(frame, timed, verdict)), 1.0)
   }
@@ -134,13 +134,13 @@ class RenderCommandTest extends AnyFunSuite {
 
   test("an infinite PSNR is null") {
     val perfect = figures(0)
-    val equal   = perfect.copy(frames = perfect.frames.map(_.copy(squaredError = 0)))
+    val equal = perfect.copy(frames = perfect.frames.map(_.copy(squaredError = 0)))
     assert(RenderReport.json("render", 1, equal)("modelVsReference")("psnr").isNull)
   }
 
   test("demo writes page, pictures and reports") {
     val folder = Files.createTempDirectory("demo")
-    val run    = CommandRunner.run("demo", "--engine", "reference", "--out", folder.toString)
+    val run = CommandRunner.run("demo", "--engine", "reference", "--out", folder.toString)
     assert(run.code == 0 && Scenes.names.forall(run.out.contains), run)
     for (s <- Scenes.names; kind <- Seq(".png", ".reference.png", ".difference.png", ".json"))
       assert(Files.size(folder.resolve(s + kind)) > 100, s + kind)

@@ -11,11 +11,11 @@ import javax.imageio.ImageIO
   * file.
   */
 class VoxelCommandTest extends AnyFunSuite {
-  private val folder: Path                                   = Files.createTempDirectory("voxel")
-  private val inputs                                         = Files.createTempDirectory("voxel-inputs")
+  private val folder: Path = Files.createTempDirectory("voxel")
+  private val inputs = Files.createTempDirectory("voxel-inputs")
   private def file(name: String, bytes: Array[Byte]): String =
     Files.write(inputs.resolve(name), bytes).toString
-  private def file(name: String, text: String): String                                 = file(name, text.getBytes)
+  private def file(name: String, text: String): String = file(name, text.getBytes)
   private def png(name: String, width: Int, height: Int)(rgb: (Int, Int) => Int): Unit = {
     val image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)
     for (x <- 0 until width; y <- 0 until height) image.setRGB(x, y, rgb(x, y))
@@ -24,51 +24,51 @@ class VoxelCommandTest extends AnyFunSuite {
   png("large.png", 32, 16)((_, _) => 0)
   png("many.png", 16, 16)((x, y) => x * 17 << 16 | y * 17)
 
-  private val short  = file("short.raw", new Array[Byte](100))
-  private val high   = file("high.raw", Array.fill[Byte](512)(1).updated(77, 30.toByte))
+  private val short = file("short.raw", new Array[Byte](100))
+  private val high = file("high.raw", Array.fill[Byte](512)(1).updated(77, 30.toByte))
   private val notVox = file("not.vox", "RIFF....")
-  private val cut    = file(
+  private val cut = file(
     "cut.vox",
     "VOX ".getBytes ++ Array[Byte](-106, 0, 0, 0) ++ "MAIN".getBytes ++ Array[Byte](0, 0, 0, 0, 9, 0, 0, 0)
   )
-  private val poses      = file("poses.txt", "1 2 3 4 5\n1 2 three 4 5\n")
-  private val farPoses   = file("far.txt", "1 2 3 4 5\n\n1 2 -99 4 5\n")
-  private val noTable    = file("no.json", "{\"name\": \"x\"}")
-  private val noName     = file("name.json", "[{\"texture\": \"stone\"}]")
-  private val noKey      = file("key.json", "[{\"name\": \"a\", \"txture\": \"stone\"}]")
-  private val noPaint    = file("paint.json", "[{\"name\": \"a\", \"texture\": \"velvet\"}]")
-  private val wide       = file("wide.json", "[{\"name\": \"a\", \"texture\": \"large.png\"}]")
-  private val colorful   = file("many.json", "[{\"name\": \"a\", \"texture\": \"many.png\"}]")
+  private val poses = file("poses.txt", "1 2 3 4 5\n1 2 three 4 5\n")
+  private val farPoses = file("far.txt", "1 2 3 4 5\n\n1 2 -99 4 5\n")
+  private val noTable = file("no.json", "{\"name\": \"x\"}")
+  private val noName = file("name.json", "[{\"texture\": \"stone\"}]")
+  private val noKey = file("key.json", "[{\"name\": \"a\", \"txture\": \"stone\"}]")
+  private val noPaint = file("paint.json", "[{\"name\": \"a\", \"texture\": \"velvet\"}]")
+  private val wide = file("wide.json", "[{\"name\": \"a\", \"texture\": \"large.png\"}]")
+  private val colorful = file("many.json", "[{\"name\": \"a\", \"texture\": \"many.png\"}]")
   private val seeThrough = file("glass.json", "[{\"name\": \"a\", \"texture\": \"glass\"}]")
 
   private val table = Seq(
-    "--bad"                                   -> Seq("--bad", "--help"),
-    "--engine netlist"                        -> Seq("--engine", "model"),
-    "--size 17x19"                            -> Seq("--size 17x19", "--engine pipeline"),
-    "--world /no/such.raw"                    -> Seq("/no/such.raw"),
-    s"--world '$short'"                       -> Seq("short.raw", "100 bytes", "131072", "--world-size"),
-    s"--world '$high' --world-size 8x8x8"     -> Seq("high.raw", "byte 77", "30", "24"),
-    s"--world '$notVox'"                      -> Seq("not.vox", "byte 0", "MagicaVoxel"),
-    s"--world '$cut'"                         -> Seq("cut.vox", "byte 20"),
-    "--world-size 60x64x32"                   -> Seq("--world-size", "power of two"),
-    "--world-size 64x64"                      -> Seq("--world-size"),
-    "--eye 500,0,0"                           -> Seq("--eye", "x 500", "32 blocks"),
-    "--eye 1e300,0,0"                         -> Seq("--eye", "x 1.0E300", "32 blocks"),
-    "--look 0,0,0"                            -> Seq("--look"),
-    "--look 1,0,0 --yaw 50"                   -> Seq("--look", "--yaw", "one of them"),
-    s"--path '$poses' --pitch 5"              -> Seq("--path", "--pitch", "one of them"),
-    "--pitch 91"                              -> Seq("--pitch", "-90 to 90"),
-    "--focal 60"                              -> Seq("--focal", "too wide"),
-    "--size 8x8"                              -> Seq("--size", "width 8"),
-    "--distance 100"                          -> Seq("--distance", "60"),
-    s"--path '$poses'"                        -> Seq("poses.txt:2", "x y z yaw pitch"),
-    s"--path '$farPoses'"                     -> Seq("far.txt:3", "eye: z -99"),
-    s"--blocks '$noTable'"                    -> Seq("no.json", "list"),
-    s"--world '$high' --blocks '$noName'"     -> Seq("name.json", "block 1", "no name"),
-    s"--world '$high' --blocks '$noKey'"      -> Seq("key.json", "block 1", "txture"),
-    s"--world '$high' --blocks '$noPaint'"    -> Seq("paint.json", "velvet"),
-    s"--world '$high' --blocks '$wide'"       -> Seq("wide.json", "large.png", "32 x 16"),
-    s"--world '$high' --blocks '$colorful'"   -> Seq("many.json", "many.png", "colours"),
+    "--bad" -> Seq("--bad", "--help"),
+    "--engine netlist" -> Seq("--engine", "model"),
+    "--size 17x19" -> Seq("--size 17x19", "--engine pipeline"),
+    "--world /no/such.raw" -> Seq("/no/such.raw"),
+    s"--world '$short'" -> Seq("short.raw", "100 bytes", "131072", "--world-size"),
+    s"--world '$high' --world-size 8x8x8" -> Seq("high.raw", "byte 77", "30", "24"),
+    s"--world '$notVox'" -> Seq("not.vox", "byte 0", "MagicaVoxel"),
+    s"--world '$cut'" -> Seq("cut.vox", "byte 20"),
+    "--world-size 60x64x32" -> Seq("--world-size", "power of two"),
+    "--world-size 64x64" -> Seq("--world-size"),
+    "--eye 500,0,0" -> Seq("--eye", "x 500", "32 blocks"),
+    "--eye 1e300,0,0" -> Seq("--eye", "x 1.0E300", "32 blocks"),
+    "--look 0,0,0" -> Seq("--look"),
+    "--look 1,0,0 --yaw 50" -> Seq("--look", "--yaw", "one of them"),
+    s"--path '$poses' --pitch 5" -> Seq("--path", "--pitch", "one of them"),
+    "--pitch 91" -> Seq("--pitch", "-90 to 90"),
+    "--focal 60" -> Seq("--focal", "too wide"),
+    "--size 8x8" -> Seq("--size", "width 8"),
+    "--distance 100" -> Seq("--distance", "60"),
+    s"--path '$poses'" -> Seq("poses.txt:2", "x y z yaw pitch"),
+    s"--path '$farPoses'" -> Seq("far.txt:3", "eye: z -99"),
+    s"--blocks '$noTable'" -> Seq("no.json", "list"),
+    s"--world '$high' --blocks '$noName'" -> Seq("name.json", "block 1", "no name"),
+    s"--world '$high' --blocks '$noKey'" -> Seq("key.json", "block 1", "txture"),
+    s"--world '$high' --blocks '$noPaint'" -> Seq("paint.json", "velvet"),
+    s"--world '$high' --blocks '$wide'" -> Seq("wide.json", "large.png", "32 x 16"),
+    s"--world '$high' --blocks '$colorful'" -> Seq("many.json", "many.png", "colours"),
     s"--world '$high' --blocks '$seeThrough'" -> Seq("glass.json", "opaque")
   )
 
@@ -84,9 +84,9 @@ class VoxelCommandTest extends AnyFunSuite {
   }
 
   test("model: pictures of a path and a report") {
-    val out  = Files.createTempDirectory("voxel-model")
+    val out = Files.createTempDirectory("voxel-model")
     val path = file("path.txt", "32 32 20 0 -20\n\n30 30 20 90 10\n")
-    val run  = CommandRunner.run(
+    val run = CommandRunner.run(
       "voxel",
       "--engine",
       "model",
@@ -105,9 +105,9 @@ class VoxelCommandTest extends AnyFunSuite {
   }
 
   test("--serial: a command for each word, then the camera, each with a sum of 0") {
-    val out  = Files.createTempDirectory("voxel-serial")
+    val out = Files.createTempDirectory("voxel-serial")
     val file = out.resolve("world.bin")
-    val run  = CommandRunner.run(
+    val run = CommandRunner.run(
       "voxel",
       "--engine",
       "model",
@@ -121,7 +121,7 @@ class VoxelCommandTest extends AnyFunSuite {
       out.resolve("p.png").toString
     )
     assert(run.code == 0, run)
-    val bytes  = Files.readAllBytes(file)
+    val bytes = Files.readAllBytes(file)
     val writes = bytes.dropRight(47).grouped(8).toSeq
     assert(writes.length == 512 && writes.forall(w => w.head == 'W' && (w.sum & 255) == 0))
     assert(bytes.takeRight(47).head == 'C' && (bytes.takeRight(47).sum & 255) == 0)

@@ -17,7 +17,7 @@ class ButtonsTest extends AnyFunSuite {
       dut.clockDomain.forkStimulus(10)
       dut.clockDomain.waitSampling(5)
       var presses = 0
-      var before  = 0
+      var before = 0
       for (goal <- Seq(15, 0, 5, 5, 10, 0, 15)) {
         for (look <- 0 until 4) {
           for (t <- 0 until 50) { // bounces for the first half of the first look

@@ -8,7 +8,7 @@ import scala.util.Random
 
 /** A pad's state by its wires. */
 class ConsolePadTest extends AnyFunSuite {
-  private val clockHz       = 1000000L
+  private val clockHz = 1000000L
   private lazy val compiled = FrustumSim.compile("ConsolePad")(ConsolePad(clockHz))
 
   /** Connected, the 16 buttons from select on, the four sticks. */
@@ -69,7 +69,7 @@ class ConsolePadTest extends AnyFunSuite {
     "no pad, another id, no 5A, a pad unplugged at any byte: at rest, and right again with the next answer"
   ) {
     session(3) { (pad, ask, random) =>
-      val good  = bytes(0x73, Seq.fill(16)(true), Seq(3, 4, 5, 6))
+      val good = bytes(0x73, Seq.fill(16)(true), Seq(3, 4, 5, 6))
       val wrong = Seq(
         Nil,
         good.updated(0, 0x23),

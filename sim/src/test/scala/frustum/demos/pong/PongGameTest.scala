@@ -19,7 +19,7 @@ class PongGameTest extends AnyFunSuite {
   /** Steers the paddle's centre to the puck's. */
   private def follow(game: Model): Pressed = {
     def off(a: Int, at: Int) = game.puck(a).position - at
-    val (dx, dy)             = (off(0, game.paddleX), off(1, game.paddleY))
+    val (dx, dy) = (off(0, game.paddleX), off(1, game.paddleY))
     Pressed(up = dy > 2, down = dy < -2, left = dx < -2, right = dx > 2)
   }
 
@@ -31,9 +31,9 @@ class PongGameTest extends AnyFunSuite {
   test("the puck never leaves the room, the paddle its reach, in 10,000 random games") {
     val random = new Random(seed)
     for (n <- 0 until 10000) {
-      var game  = Model.start
+      var game = Model.start
       val skill = random.nextInt(3)
-      var tick  = 0
+      var tick = 0
       while (!game.over && tick < 2000) {
         game = game.tick(if (random.nextInt(3) <= skill) follow(game) else anyButtons(random))
         inside(game, s"game $n, tick $tick, seed $seed")
@@ -84,7 +84,7 @@ class PongGameTest extends AnyFunSuite {
       dut.io.tick #= false
       dut.clockDomain.forkStimulus(10)
       dut.clockDomain.waitSampling(5)
-      var game          = Model.start
+      var game = Model.start
       def reset(): Unit = {
         dut.clockDomain.assertReset()
         dut.clockDomain.waitRisingEdge(2)
@@ -92,7 +92,7 @@ class PongGameTest extends AnyFunSuite {
         dut.clockDomain.waitSampling()
         game = Model.start
       }
-      var wins   = 0
+      var wins = 0
       var losses = 0
       for (n <- 0 until 20000) {
         val b = random.nextInt(if (wins == 0) 100000 else 40) match {

@@ -18,10 +18,10 @@ class PongPipelineTest extends AnyFunSuite {
   test("pictures at the pins equal the model's, and change with the game's ticks alone") {
     for ((format, frames) <- Seq(ColorFormat.Rgb444 -> 8, ColorFormat.Rgb332 -> 2, ColorFormat.Rgb888 -> 2)) {
       val config = PongPipelineConfig(mode, format, PongScene.room(256, 96, 3))
-      val model  = new PongModel(config)
+      val model = new PongModel(config)
       // Registers hold something else at each power up.
       val boots = if (format == ColorFormat.Rgb888) 5 to 8 else Seq(5)
-      val unit  = FrustumSim.compile(s"PongPipeline_${format.name}")(PongPipeline(config))
+      val unit = FrustumSim.compile(s"PongPipeline_${format.name}")(PongPipeline(config))
       for (boot <- boots) unit.doSim("frames", boot) { dut =>
         SimTimeout(1000L * 1000 * 1000)
         dut.io.buttons.up #= true
@@ -36,15 +36,15 @@ class PongPipelineTest extends AnyFunSuite {
           else assert(v.red.toInt + v.green.toInt + v.blue.toInt == 0, "colour in the blank")
         }
         dut.clockDomain.forkStimulus(10)
-        val held  = Pressed(up = true, left = true)
+        val held = Pressed(up = true, left = true)
         val games = Iterator.iterate(PongGame.start)(_.tick(held)).take(8).toIndexedSeq
-        var tick  = 0
+        var tick = 0
         for (frame <- 0 until frames) {
           pixels.clear()
           while (pixels.size < mode.width * mode.height) dut.clockDomain.waitSampling()
           val wanted = games.drop(tick).take(2).map(model.frame(_).toSeq)
-          val at     = wanted.indexWhere(_ == pixels.toSeq)
-          val off    = wanted.head.indices.filter(i => wanted.head(i) != pixels(i))
+          val at = wanted.indexWhere(_ == pixels.toSeq)
+          val off = wanted.head.indices.filter(i => wanted.head(i) != pixels(i))
           assert(
             at >= 0,
             s"${format.name}, boot $boot, frame $frame: ${off.size} pixels differ from tick $tick, the first at " +

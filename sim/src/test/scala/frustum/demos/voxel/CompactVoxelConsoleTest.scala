@@ -15,21 +15,21 @@ import spinal.core.sim._
 
 /** `icebreaker-voxel` at its pins: what a display shows of what a host sends. */
 class CompactVoxelConsoleTest extends AnyFunSuite {
-  private val c        = VoxelConfig(size = WorldSize(16, 16, 8), width = 64, height = 48)
-  private val focal    = 45
-  private val start    = VoxelCamera.level(c, focal)
-  private val world    = Hills(c.size, 1)
+  private val c = VoxelConfig(size = WorldSize(16, 16, 8), width = 64, height = 48)
+  private val focal = 45
+  private val start = VoxelCamera.level(c, focal)
+  private val world = Hills(c.size, 1)
   private def compiled = EngineSim.compile("SmallVoxelPins")(CompactVoxelPins(c, focal))
 
   private def shown(world: VoxelWorld, camera: VoxelCamera, highlight: Boolean = true): Array[Int] = {
-    val model  = new VoxelModel(c, Blocks.assets, world)
+    val model = new VoxelModel(c, Blocks.assets, world)
     val chosen = if (highlight) model.pointedAt(camera, VoxelConfig.Reach) else None
     (for (j <- 0 until c.height; i <- 0 until c.width)
       yield CompactVoxelSession.rgb565(model.pixel(camera, i, j, chosen).color)).toArray
   }
 
   private final class Session(dut: CompactVoxelPins) {
-    val controller     = new TftController(CompactVoxelPins.Panel)
+    val controller = new TftController(CompactVoxelPins.Panel)
     private val reader =
       new SimTftReader(dut.tft, controller, (CompactVoxelPins.CoreMHz * 2000000).toLong, CompactVoxelPins.Fast)
     dut.io.run #= true
@@ -59,7 +59,7 @@ class CompactVoxelConsoleTest extends AnyFunSuite {
     /** Lets frames go by until all of the picture is of what there is now. */
     def picture(): Array[Int] = {
       reader.drain()
-      val due   = controller.pixels + 3 * c.pixels
+      val due = controller.pixels + 3 * c.pixels
       var looks = 0
       while (controller.pixels < due) {
         assert(looks < 200, "no frame")
@@ -102,7 +102,7 @@ class CompactVoxelConsoleTest extends AnyFunSuite {
   test("a world and a camera from the host, none of the world's words lost while pictures are drawn") {
     compiled.doSim("load", 2) { dut =>
       val session = new Session(dut)
-      val view    = VoxelView(new Vector3d(8, 7.3, 6.4), 30, -60, focal).camera(c)
+      val view = VoxelView(new Vector3d(8, 7.3, 6.4), 30, -60, focal).camera(c)
       for ((word, address) <- LeapWords(world, c.leaps).zipWithIndex)
         session.send(VoxelHostCommand.write(address, word))
       session.send(VoxelHostCommand.highlight(view))
@@ -134,16 +134,16 @@ class CompactVoxelConsoleTest extends AnyFunSuite {
   test("commands that are wrong change nothing and are counted; the next one is taken") {
     compiled.doSim("wrong", 3) { dut =>
       val session = new Session(dut)
-      val good    = camera(8, 30)
+      val good = camera(8, 30)
       session.load(world)
       val refused = dut.top.core.console.host.io.refused
-      val wrong   = Seq(
-        Seq(0x55),                                                     // no opcode
-        VoxelHostCommand.camera(camera(3, 200)).updated(20, 1),        // wrong checksum
+      val wrong = Seq(
+        Seq(0x55), // no opcode
+        VoxelHostCommand.camera(camera(3, 200)).updated(20, 1), // wrong checksum
         VoxelHostCommand.write(c.size.blocks, c.leaps.wordOfBlock(1)), // outside of the world
-        VoxelHostCommand.write(5, 1 << c.leaps.wordBits),              // no word
-        VoxelHostCommand.block(0, 1),                                  // nothing here works out distances
-        VoxelHostCommand.player(IntVector(0, 0, 0), 0, 0),             // no player here
+        VoxelHostCommand.write(5, 1 << c.leaps.wordBits), // no word
+        VoxelHostCommand.block(0, 1), // nothing here works out distances
+        VoxelHostCommand.player(IntVector(0, 0, 0), 0, 0), // no player here
         VoxelHostCommand.camera(far(1)),
         VoxelHostCommand.camera(far(2)),
         VoxelHostCommand.camera(camera(3, 200)).take(17) // cut short

@@ -11,11 +11,11 @@ class HostFramingTest extends AnyFunSuite {
 
   test("whole commands come through as they are; whatever else comes is counted, up to 255 (seed 1)") {
     EngineSim.compile("HostFraming")(HostFraming(bytesOf, Silence)).doSim("random", 1) { dut =>
-      val random    = simRandom
+      val random = simRandom
       val got, want = mutable.Buffer.empty[(Int, Seq[Int])]
-      val payload   = mutable.Buffer.empty[Int]
-      var bad       = 0
-      var toRefuse  = false
+      val payload = mutable.Buffer.empty[Int]
+      var bad = 0
+      var toRefuse = false
       dut.io.bytes.valid #= false
       dut.io.refuse #= false
       dut.clockDomain.forkStimulus(EngineSim.Period)

@@ -19,21 +19,21 @@ class PlayerCameraTest extends AnyFunSuite {
   }
 
   for ((width, height) <- Seq((320, 240), (160, 120))) test(s"directions are within 1/50 pixel, ${width}x$height") {
-    val c       = VoxelConfig(width = width, height = height)
-    val focal   = 225.0 * height / 240
+    val c = VoxelConfig(width = width, height = height)
+    val focal = 225.0 * height / 240
     val program = CameraProgram(width, height, focal)
-    var worst   = 0.0
+    var worst = 0.0
     for (yaw <- 0 until 1024 by 37; pitch <- -248 to 248 by 31) {
       val player = VoxelPlayer(IntVector(1000, 2000, 3000), yaw, pitch)
       val camera = PlayerCamera(player, c, program)
-      val ideal  = VoxelView(new Vector3d(), yaw * 360 / 1024.0, pitch * 360 / 1024.0, focal)
+      val ideal = VoxelView(new Vector3d(), yaw * 360 / 1024.0, pitch * 360 / 1024.0, focal)
       for (i <- Seq(0, 97, width - 1); j <- Seq(0, 71, height - 1)) {
         val Seq(x, y, z) = camera.direction(i, j).map(_.toDouble)
-        val d            = new Vector3d(x, y, z)
+        val d = new Vector3d(x, y, z)
         // Back onto the screen, pixels from the ideal place.
         val depth = d.dot(ideal.look)
         val right = d.dot(ideal.right) / depth * focal - (i + 0.5 - width / 2.0)
-        val up    = d.dot(ideal.up) / depth * focal - (height / 2.0 - j - 0.5)
+        val up = d.dot(ideal.up) / depth * focal - (height / 2.0 - j - 0.5)
         worst = worst.max(right.abs).max(up.abs)
       }
       assert(camera.eye == IntVector(1000, 2000, 3000 + VoxelRules.EyeHeight))

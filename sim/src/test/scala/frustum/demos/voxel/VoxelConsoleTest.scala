@@ -18,10 +18,10 @@ import scala.util.Random
 
 /** The Arty's top at its pins, with a small picture and world: what a monitor shows of what a host sends and a pad holds. */
 class VoxelConsoleTest extends AnyFunSuite {
-  private val c      = VoxelConfig(size = WorldSize(16, 16, 16), width = 64, height = 48, leaps = LeapField.Quadrants)
-  private val mode   = VideoMode("test", 25, 128, 96, 8, 16, 24, 3, 2, 9, hPositive = false, vPositive = false)
+  private val c = VoxelConfig(size = WorldSize(16, 16, 16), width = 64, height = 48, leaps = LeapField.Quadrants)
+  private val mode = VideoMode("test", 25, 128, 96, 8, 16, 24, 3, 2, 9, hPositive = false, vPositive = false)
   private val config = VoxelConsoleConfig(c, Blocks.assets, mode).copy(baud = 6250000)
-  private val world  = Hills(c.size, 1)
+  private val world = Hills(c.size, 1)
 
   private def run(config: VoxelConsoleConfig, seed: Int)(body: (VoxelBoardTestbed, VoxelBoardSession) => Unit): Unit =
     VoxelBoardSession.compile(config).doSim(s"console_$seed", seed) { dut =>
@@ -72,15 +72,15 @@ class VoxelConsoleTest extends AnyFunSuite {
   test("commands that are wrong change nothing and are counted; the next one is taken") {
     run(config, 2) { (dut, session) =>
       val good = camera(8, 30)
-      session.send(Seq(0x55))                                              // no opcode
+      session.send(Seq(0x55)) // no opcode
       session.send(VoxelHostCommand.camera(camera(3, 200)).updated(20, 1)) // wrong checksum
-      session.send(VoxelHostCommand.camera(camera(3, 200)).take(17))       // cut short
+      session.send(VoxelHostCommand.camera(camera(3, 200)).take(17)) // cut short
       session.wait(VoxelHostCommand.SilenceMicros + 100)
       val wrong = Seq(
         VoxelHostCommand.write(c.size.blocks, c.leaps.wordOfBlock(1)), // outside of the world
-        VoxelHostCommand.write(5, 1 << c.leaps.wordBits),              // no word
-        VoxelHostCommand.block(c.size.blocks + 5, 1),                  // would alias onto block 5
-        VoxelHostCommand.block(5, 25),                                 // no such block
+        VoxelHostCommand.write(5, 1 << c.leaps.wordBits), // no word
+        VoxelHostCommand.block(c.size.blocks + 5, 1), // would alias onto block 5
+        VoxelHostCommand.block(5, 25), // no such block
         VoxelHostCommand.block(5, 32 + 1),
         VoxelHostCommand.highlight(far(0)),
         VoxelHostCommand.camera(far(2)),
@@ -101,16 +101,16 @@ class VoxelConsoleTest extends AnyFunSuite {
     val seed = 3
     run(config, seed) { (dut, session) =>
       val random = new Random(seed)
-      val first  = camera(8, 0)
+      val first = camera(8, 0)
       session.send(VoxelHostCommand.highlight(first))
-      var now    = world
+      var now = world
       var states = Vector(session.settled())
       assert(states.head.sameElements(highlighted(now, first)))
-      var last        = first
+      var last = first
       var index, seen = 0
       for (n <- 0 until 100) {
         val (x, y, z) = (random.nextInt(16), random.nextInt(16), random.nextInt(16))
-        val id        = if (now(x, y, z) == 0) 1 + random.nextInt(24) else 0
+        val id = if (now(x, y, z) == 0) 1 + random.nextInt(24) else 0
         now = now.updated(x, y, z, id)
         session.send(VoxelHostCommand.block(c.size.address(x, y, z), id))
         states :+= highlighted(now, last)
@@ -118,7 +118,7 @@ class VoxelConsoleTest extends AnyFunSuite {
         session.send(VoxelHostCommand.highlight(last))
         states :+= highlighted(now, last)
         val frame = session.frame()
-        val at    = states.indexWhere(_.sameElements(frame), index)
+        val at = states.indexWhere(_.sameElements(frame), index)
         assert(at >= 0, s"seed $seed, frame $n: no state looks like this")
         if (at > index) seen += 1
         index = at
@@ -150,8 +150,8 @@ class VoxelConsoleTest extends AnyFunSuite {
   test("a walk with a pad: every frame is the model's player's view, crosshair and read-out over it (seed 5)") {
     run(config, 5) { (dut, session) =>
       val controller = new SimConsolePad(dut.io.pad, dut.clockDomain)
-      val turns      = ArrayBuffer.empty[VoxelButtons] // of each turn of the player since it was placed
-      val b          = dut.player.io.buttons
+      val turns = ArrayBuffer.empty[VoxelButtons] // of each turn of the player since it was placed
+      val b = dut.player.io.buttons
       dut.clockDomain.onSamplings {
         if (dut.player.io.frame.toBoolean) turns += VoxelButtons(
           b.forward.toBoolean,
@@ -170,14 +170,14 @@ class VoxelConsoleTest extends AnyFunSuite {
           b.destroy.toBoolean
         )
       }
-      val program        = config.program
-      val rules          = config.rules
-      var model          = new VoxelModel(c, Blocks.assets, world)
-      var player         = VoxelPlayer(config.start.feet, config.start.yaw)
-      var pointed        = Option.empty[SeenFace]
-      var edits, ticks   = 0
-      val views          = ArrayBuffer.empty[Int => Array[Int]] // by the rate that is written over them
-      var rates          = Seq(0, 0)                            // as of the frame before and now
+      val program = config.program
+      val rules = config.rules
+      var model = new VoxelModel(c, Blocks.assets, world)
+      var player = VoxelPlayer(config.start.feet, config.start.yaw)
+      var pointed = Option.empty[SeenFace]
+      var edits, ticks = 0
+      val views = ArrayBuffer.empty[Int => Array[Int]] // by the rate that is written over them
+      var rates = Seq(0, 0) // as of the frame before and now
       def follow(): Unit = while (ticks < turns.length) {
         val (moved, edit) = player.frame(turns(ticks), rules, Blocks.table, pointed, model.world(_, _, _))
         player = moved
@@ -193,26 +193,26 @@ class VoxelConsoleTest extends AnyFunSuite {
       }
       // From the start on, then put above the hills to fall onto them.
       val script = Seq(
-        4  -> pad(Set(select)),
-        6  -> pad(Set(triangle)),
+        4 -> pad(Set(select)),
+        6 -> pad(Set(triangle)),
         10 -> pad(Set(up)),
-        6  -> pad(Set(left, up, cross)),
+        6 -> pad(Set(left, up, cross)),
         10 -> pad(Set(square)),
-        3  -> pad(Set(r2)),
-        3  -> pad(Set()),
-        3  -> pad(Set(r2)),
-        3  -> pad(Set(r1)),
-        3  -> pad(Set()),
-        3  -> pad(Set(r1)),
-        4  -> pad(Set(l2)),
-        8  -> pad(Set(), Seq(255, 20, 128, 0)),
-        8  -> pad(Set(), Seq(0, 230, 255, 128)),
-        4  -> pad(Set(r2, up)),
-        4  -> Nil
+        3 -> pad(Set(r2)),
+        3 -> pad(Set()),
+        3 -> pad(Set(r2)),
+        3 -> pad(Set(r1)),
+        3 -> pad(Set()),
+        3 -> pad(Set(r1)),
+        4 -> pad(Set(l2)),
+        8 -> pad(Set(), Seq(255, 20, 128, 0)),
+        8 -> pad(Set(), Seq(0, 230, 255, 128)),
+        4 -> pad(Set(r2, up)),
+        4 -> Nil
       )
-      var index                               = 0
+      var index = 0
       def shows(view: Int, frame: Array[Int]) = rates.distinct.exists(views(view)(_).sameElements(frame))
-      var latest                              = Array.empty[Int]
+      var latest = Array.empty[Int]
       for (((frames, answer), n) <- script.zipWithIndex) {
         controller.answer = answer
         for (f <- 0 until frames) {
@@ -223,7 +223,10 @@ class VoxelConsoleTest extends AnyFunSuite {
           if (n > 0) {
             // As views may look alike, the first one that does.
             val at = views.indices.drop(index).find(shows(_, frame)).getOrElse(-1)
-            assert(at >= index, s"step $n, frame $f: no view of the player's looks like this after view $index of ${views.length}")
+            assert(
+              at >= index,
+              s"step $n, frame $f: no view of the player's looks like this after view $index of ${views.length}"
+            )
             index = at
           }
         }

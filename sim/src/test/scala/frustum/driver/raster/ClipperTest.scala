@@ -54,19 +54,19 @@ class ClipperTest extends AnyFunSuite {
   }
 
   test("the guard band holds the widest screen") {
-    val wide     = new Clipper(RasterConfig(width = 1024, height = 512, tileLog2Width = 5))
-    val p        = wide.clip(IndexedSeq(clipVertex(-9, -9, 0, 1), clipVertex(9, -9, 0, 1), clipVertex(0, 30, 0, 1)))
+    val wide = new Clipper(RasterConfig(width = 1024, height = 512, tileLog2Width = 5))
+    val p = wide.clip(IndexedSeq(clipVertex(-9, -9, 0, 1), clipVertex(9, -9, 0, 1), clipVertex(0, 30, 0, 1)))
     val viewport = new Viewport(RasterConfig(width = 1024, height = 512, tileLog2Width = 5))
     assert(p.map(viewport.pack(_, (0, 0))).forall(_.fault.isEmpty))
   }
 
   test("random triangles: every result is convex, inside, and packs") {
-    val seed     = 20260101
-    val random   = new Random(seed)
+    val seed = 20260101
+    val random = new Random(seed)
     val viewport = new Viewport(config)
     for (n <- 1 to 2000) {
       def value = (random.nextDouble() - 0.5) * scala.math.pow(10, random.nextInt(4))
-      val t     = IndexedSeq.fill(3) {
+      val t = IndexedSeq.fill(3) {
         val w = value; clipVertex(value, value, w * (random.nextDouble() * 2.4 - 1.2), w)
       }
       val p = clipper.clip(t)
@@ -78,7 +78,7 @@ class ClipperTest extends AnyFunSuite {
   }
 
   test("two triangles of an edge get the same new vertices") {
-    val seed   = 20260102
+    val seed = 20260102
     val random = new Random(seed)
     for (n <- 1 to 500) {
       def v = clipVertex(
@@ -87,7 +87,7 @@ class ClipperTest extends AnyFunSuite {
         random.nextDouble() * 8 - 4,
         1 + random.nextDouble()
       )
-      val (a, b, c, d)  = (v, v, v, v)
+      val (a, b, c, d) = (v, v, v, v)
       val (left, right) = (clipper.clip(IndexedSeq(a, b, c)), clipper.clip(IndexedSeq(b, a, d)))
       // points of the first polygon on the near plane that lie on the edge a-b must be points of the second
       def onEdge(p: ClipVertex) = p.clip.z.abs == p.clip.w && {

@@ -12,7 +12,7 @@ class CommandEncoderTest extends AnyFunSuite {
       name <- Scenes.names;
       pass <- prepare(Scenes.byName(name), options.copy(background = 0x7d7e7d), frame = 0x7e7d).passes
     ) {
-      val bytes             = Driver.commands(pass).flatten
+      val bytes = Driver.commands(pass).flatten
       val (decoded, states) = WireDecoder.pass(WireDecoder.messages(bytes))
       assert(decoded == pass.copy(states = IndexedSeq.empty), name)
       assert(states == pass.states.map(_.words), name)
@@ -28,7 +28,7 @@ class CommandEncoderTest extends AnyFunSuite {
   }
 
   test("textures arrive at their addresses") {
-    val image  = texture(128, 32)
+    val image = texture(128, 32)
     val upload = TextureUpload(7, TextureMemory.texels(image))
     val memory = Array.fill(32768)(-1)
     for (WireDecoder.Message(command, payload) <- WireDecoder.messages(Driver.commands(upload).flatten)) {
@@ -42,7 +42,7 @@ class CommandEncoderTest extends AnyFunSuite {
   test("the file transport writes the bytes") {
     val file = Files.createTempFile("frustum", ".bin")
     try {
-      val commands  = Driver.commands(prepare(Scenes.cube).passes.head)
+      val commands = Driver.commands(prepare(Scenes.cube).passes.head)
       val transport = new FileTransport(file)
       commands.foreach(transport.send)
       transport.close()

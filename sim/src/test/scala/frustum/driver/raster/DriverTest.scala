@@ -10,7 +10,7 @@ import org.scalatest.funsuite.AnyFunSuite
 
 class DriverTest extends AnyFunSuite {
   private val front = triangle(vertex(-50, -50), vertex(50, -50), vertex(0, 50))
-  private val back  = triangle(vertex(-50, -50), vertex(0, 50), vertex(50, -50))
+  private val back = triangle(vertex(-50, -50), vertex(0, 50), vertex(50, -50))
 
   private def areas(p: PreparedFrame) = p.passes.flatMap(pass =>
     pass.triangles.map { t =>
@@ -28,14 +28,14 @@ class DriverTest extends AnyFunSuite {
   }
 
   test("triangles without area are not drawn") {
-    val line  = triangle(vertex(-50, -50), vertex(0, 0), vertex(50, 50))
+    val line = triangle(vertex(-50, -50), vertex(0, 0), vertex(50, 50))
     val point = triangle(vertex(1, 1), vertex(1, 1), vertex(1, 1))
     assert(prepare(scene(Seq(line, point, front))).trianglesDrawn == 1)
   }
 
   test("unquantised triangles come in drawing order") {
-    val p        = prepare(Scenes.teapot())
-    val pass     = p.passes.head
+    val p = prepare(Scenes.teapot())
+    val pass = p.passes.head
     val viewport = new Viewport(config)
     assert(p.clipTriangles.length == pass.triangles.length)
     for ((clip, packed) <- p.clipTriangles.zip(pass.triangles))
@@ -44,7 +44,7 @@ class DriverTest extends AnyFunSuite {
 
   test("a closed mesh costs at most 20 bytes a triangle on the wire") {
     for ((name, mesh) <- Seq("sphere" -> scene(sphere(16, 30, 100)), "teapot" -> Scenes.teapot())) {
-      val p     = prepare(mesh, options.copy(light = Some(new Vector3d(1, 2, 3))))
+      val p = prepare(mesh, options.copy(light = Some(new Vector3d(1, 2, 3))))
       val bytes = p.passes.flatMap(Driver.commands).flatten.length
       info(f"$name: ${bytes.toDouble / p.trianglesDrawn}%.2f bytes a triangle")
       assert(p.passes.length == 1 && bytes <= 20 * p.trianglesDrawn, name)
@@ -52,17 +52,17 @@ class DriverTest extends AnyFunSuite {
   }
 
   test("a closed mesh covers every pixel as often from the front as from the back") {
-    val p      = prepare(scene(sphere(10, 14, 100)))
+    val p = prepare(scene(sphere(10, 14, 100)))
     val culled = prepare(scene(sphere(10, 14, 100)), options.copy(cullBack = true))
     assert(areas(culled).sum * 2 == areas(p).sum)
   }
 
   test("blended triangles follow the opaque ones, far to near") {
-    val glass                        = Material("glass", (1, 1, 1), 0.5, None, Combine.ColorOnly, blend = true, None)
+    val glass = Material("glass", (1, 1, 1), 0.5, None, Combine.ColorOnly, blend = true, None)
     def at(z: Double, material: Int) =
       triangle(vertex(-50, -50, z), vertex(50, -50, z), vertex(0, 50, z), material)
-    val p     = prepare(scene(Seq(at(3, 1), at(-2, 1), at(1, 0), at(5, 1), at(0, 0)), Material.White, glass))
-    val pass  = p.passes.head
+    val p = prepare(scene(Seq(at(3, 1), at(-2, 1), at(1, 0), at(5, 1), at(0, 0)), Material.White, glass))
+    val pass = p.passes.head
     val drawn = pass.triangles.map(t => (pass.states(t.state).blend, pass.vertices(t.v0).z))
     assert(drawn.map(_._1) == Seq(false, false, true, true, true))
     assert(drawn.drop(2).map(-_._2) == drawn.drop(2).map(-_._2).sorted)
@@ -71,7 +71,7 @@ class DriverTest extends AnyFunSuite {
   }
 
   test("light: Lambert with ambient 0.2, and it does not turn with the model") {
-    def red(options: DrawOptions)            = prepare(scene(Seq(front)), options).passes.head.vertices.map(_.r).distinct
+    def red(options: DrawOptions) = prepare(scene(Seq(front)), options).passes.head.vertices.map(_.r).distinct
     def lit(x: Double, y: Double, z: Double) = options.copy(light = Some(new Vector3d(x, y, z)))
     assert(red(lit(0, 0, 5)) == Seq(255))
     assert(red(lit(0, 0, -5)) == Seq(51))
@@ -126,9 +126,9 @@ class DriverTest extends AnyFunSuite {
         )
       )
     }
-    val deep   = Seq(1e-3, 1e6).map(d => triangle(vertex(-d, -d, -d), vertex(d, -d, -d), vertex(0, d, -d)))
+    val deep = Seq(1e-3, 1e6).map(d => triangle(vertex(-d, -d, -d), vertex(d, -d, -d), vertex(0, d, -d)))
     val camera = Camera(new Vector3d, new Vector3d(0, 0, -1), new Vector3d(0, 1, 0), 60, 1e-4, 1e7)
-    val error  = intercept[InputError](Driver.prepare(scene(deep), camera, options, config, 0))
+    val error = intercept[InputError](Driver.prepare(scene(deep), camera, options, config, 0))
     assert(error.message.contains("262144 times") && error.message.contains("near plane"))
   }
 
@@ -136,15 +136,15 @@ class DriverTest extends AnyFunSuite {
     val c = Scenes.cube.camera
     for (
       (camera, part) <- Seq(
-        c.copy(at = c.eye)                      -> "same point",
-        c.copy(up = new Vector3d(c.eye))        -> "line of sight",
-        c.copy(up = new Vector3d)               -> "line of sight",
-        c.copy(near = 0)                        -> "near 0.0 must be above 0",
-        c.copy(far = 0.1)                       -> "must be less than far",
-        c.copy(fovDegrees = 180)                -> "fov 180.0",
-        c.copy(orthoHeight = Some(0))           -> "ortho 0.0",
+        c.copy(at = c.eye) -> "same point",
+        c.copy(up = new Vector3d(c.eye)) -> "line of sight",
+        c.copy(up = new Vector3d) -> "line of sight",
+        c.copy(near = 0) -> "near 0.0 must be above 0",
+        c.copy(far = 0.1) -> "must be less than far",
+        c.copy(fovDegrees = 180) -> "fov 180.0",
+        c.copy(orthoHeight = Some(0)) -> "ortho 0.0",
         c.copy(eye = new Vector3d(1e300, 0, 0)) -> "eye 1.0E300,0.0,0.0 is beyond",
-        c.copy(eye = new Vector3d(Double.NaN))  -> "not finite"
+        c.copy(eye = new Vector3d(Double.NaN)) -> "not finite"
       )
     ) {
       val error = intercept[InputError](Driver.prepare(Scenes.cube, camera, options, config, 0))
@@ -153,7 +153,7 @@ class DriverTest extends AnyFunSuite {
   }
 
   test("a seventeenth render state is refused") {
-    val materials      = (1 to 17).map(i => Material.White.copy(name = s"m$i", alphaTest = Some(i / 31.0)))
+    val materials = (1 to 17).map(i => Material.White.copy(name = s"m$i", alphaTest = Some(i / 31.0)))
     def meshOf(n: Int) = scene((0 until n).map(i => front.copy(material = i)), materials: _*)
     assert(prepare(meshOf(16)).passes.head.states.length == 16)
     assert(
@@ -174,9 +174,9 @@ class DriverTest extends AnyFunSuite {
     for (wrap <- Seq(Wrap.Repeat, Wrap.Mirror); start <- Seq(0.0, 0.3, -77.1, 1001.0)) {
       assert(prepare(tiled(253, start), options.copy(wrap = wrap)).trianglesDrawn == 2)
       for (repeats <- Seq(256.0, 300.7, 600, Domain.MaxMeshRepeats)) {
-        val p        = prepare(tiled(repeats, start), options.copy(wrap = wrap))
+        val p = prepare(tiled(repeats, start), options.copy(wrap = wrap))
         val viewport = new Viewport(config)
-        val corners  = p.clipTriangles.map(_.v.map(viewport.pack(_, (0, 0))))
+        val corners = p.clipTriangles.map(_.v.map(viewport.pack(_, (0, 0))))
         assert(corners.map(c => viewport.area(c(0), c(1), c(2))).sum == 2 * 200L * 16 * 200 * 16, "gaps or overlaps")
         for (pass <- p.passes; v <- pass.vertices) assert(v.fault.isEmpty)
         if (p.passes.length == 1)
@@ -191,12 +191,13 @@ class DriverTest extends AnyFunSuite {
 
   test("what cannot be drawn is refused with its place: the scene's triangle, or the file's line") {
     def message(s: Scene, o: DrawOptions = options) = intercept[InputError](prepare(s, o)).message
-    val wide                                        = tiled(Domain.MaxMeshRepeats * 2, 0)
+    val wide = tiled(Domain.MaxMeshRepeats * 2, 0)
     assert(message(wide).startsWith("test: triangle 1: texture coordinate s runs from 0.0 to 2048.0 repeats"))
     val read = wide.copy(origin = Some(SceneOrigin(java.nio.file.Paths.get("a.obj"), IndexedSeq(7, 8))))
     assert(message(read).startsWith("a.obj:7: texture coordinate s"))
     assert(message(tiled(200, 0), options.copy(wrap = Wrap.Clamp)).startsWith("test: triangle 1: texture coordinate s"))
-    val crowd = (0 until 1100).map(i => triangle(vertex(-1, -1, i * 1e-3), vertex(1, -1, i * 1e-3), vertex(0, 1, i * 1e-3)))
+    val crowd =
+      (0 until 1100).map(i => triangle(vertex(-1, -1, i * 1e-3), vertex(1, -1, i * 1e-3), vertex(0, 1, i * 1e-3)))
     assert(message(scene(crowd)).startsWith("test: 1100 triangles with"))
   }
 }

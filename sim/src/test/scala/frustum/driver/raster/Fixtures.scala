@@ -58,8 +58,8 @@ object Fixtures {
   def sphere(rings: Int, segments: Int, radius: Double): IndexedSeq[Triangle] = {
     val rows = IndexedSeq.tabulate(rings + 1, segments + 1) { (i, j) =>
       val (theta, phi) = (scala.math.Pi * i / rings, 2 * scala.math.Pi * (j % segments) / segments)
-      val flat         = if (i == 0 || i == rings) 0.0 else scala.math.sin(theta)
-      val n            = new Vector3d(flat * scala.math.cos(phi), scala.math.cos(theta), -flat * scala.math.sin(phi))
+      val flat = if (i == 0 || i == rings) 0.0 else scala.math.sin(theta)
+      val n = new Vector3d(flat * scala.math.cos(phi), scala.math.cos(theta), -flat * scala.math.sin(phi))
       MeshVertex(new Vector3d(n).mul(radius), n, 0, 0, (1, 1, 1, 1))
     }
     Grid.triangles(rows, 0)

@@ -25,7 +25,7 @@ class PassSplitterTest extends AnyFunSuite {
       assert(split.passes.flatMap(p => tiles(p.region)).sorted == tiles(TileRegion.whole(small)).sorted)
       assert(split.passes.map(_.frame).distinct.length == split.passes.length)
       val viewport = new Viewport(small)
-      val all      = corners(whole.passes.head)
+      val all = corners(whole.passes.head)
       for (p <- split.passes) {
         assert(p.vertices.length <= maxVertices && p.triangles.length <= maxTriangles)
         val inRegion = all.filter { case (_, a, b, c) =>

@@ -42,11 +42,13 @@ class RepeatRemovalTest extends AnyFunSuite {
   }
 
   test("what exceeds the domain is refused with the numbers") {
-    def fault(wrap: Wrap, s: Seq[Double], t: Seq[Double] = Seq(0, 0, 0)) = RepeatRemoval.fault(triangle(wrap, Seq(1, 2, 3), s, t))
-    val message                                                          = fault(Wrap.Repeat, Seq(0, 1025, 5)).get
+    def fault(wrap: Wrap, s: Seq[Double], t: Seq[Double] = Seq(0, 0, 0)) =
+      RepeatRemoval.fault(triangle(wrap, Seq(1, 2, 3), s, t))
+    val message = fault(Wrap.Repeat, Seq(0, 1025, 5)).get
     assert(message.contains("s runs from 0.0 to 1025.0 repeats") && message.contains("at most 1024"))
     assert(fault(Wrap.Repeat, Seq(0, 1024, 5)).isEmpty && fault(Wrap.Mirror, Seq(-512, 512, 5)).isEmpty)
-    for (s <- Seq(Seq(1000.0, 1001, 1002), Seq(0.0, 1, 128))) assert(fault(Wrap.Clamp, s).get.contains("fewer than 128"))
+    for (s <- Seq(Seq(1000.0, 1001, 1002), Seq(0.0, 1, 128)))
+      assert(fault(Wrap.Clamp, s).get.contains("fewer than 128"))
     assert(fault(Wrap.Repeat, Seq(0, 0, 0), Seq(1e300, 1e300, 1e300)).get.startsWith("texture coordinate t"))
   }
 

@@ -9,7 +9,7 @@ object WireDecoder {
   /** The commands of a byte stream. */
   def messages(bytes: Seq[Int]): Seq[Message] =
     bytes.mkString(" ").split(s"(^| )${Command.Flag} ").toSeq.map(_.trim).filter(_.nonEmpty).map { text =>
-      val body           = unescape(text.split(" ").map(_.toInt).toList)
+      val body = unescape(text.split(" ").map(_.toInt).toList)
       val (content, sum) = body.splitAt(body.length - 2)
       require(Command.crc(content) == (sum(0) << 8 | sum(1)), "checksum")
       val words = content.drop(2).grouped(2).map(p => p(0) << 8 | p(1)).toIndexedSeq
@@ -20,10 +20,10 @@ object WireDecoder {
   /** The pass that a stream from `begin` to `draw` describes; render states stay words. */
   def pass(all: Seq[Message]): (FramePass, Seq[Seq[Int]]) = {
     require(all.head.command == Command.Begin && all.last.command == Command.Draw)
-    val begin     = all.head.payload
-    val vertices  = scala.collection.mutable.ArrayBuffer.empty[PackedVertex]
+    val begin = all.head.payload
+    val vertices = scala.collection.mutable.ArrayBuffer.empty[PackedVertex]
     val triangles = scala.collection.mutable.ArrayBuffer.empty[PackedTriangle]
-    val states    = scala.collection.mutable.ArrayBuffer.empty[Seq[Int]]
+    val states = scala.collection.mutable.ArrayBuffer.empty[Seq[Int]]
     all.foreach { m =>
       m.command match {
         case Command.State =>
@@ -35,7 +35,7 @@ object WireDecoder {
         case Command.Triangles =>
           m.payload.drop(1).grouped(2).foreach { w =>
             val bits = w(0) << 16 | w(1)
-            val t    = PackedTriangle(m.payload(0), bits >> 20, bits >> 10 & 1023, bits & 1023)
+            val t = PackedTriangle(m.payload(0), bits >> 20, bits >> 10 & 1023, bits & 1023)
             require(Seq(t.v0, t.v1, t.v2).forall(_ < vertices.length), "triangle before its vertices")
             require(t.state < states.length, "triangle before its state")
             triangles += t

@@ -25,8 +25,8 @@ class PongRunTest extends AnyFunSuite {
   /** Frames are compared as they come: a state's two are one picture. */
   private def play(c: PongPipelineConfig, player: PongGame => PongButtons, frames: Int, board: PongBoard) = {
     val model = new PongModel(c)
-    var last  = Option.empty[(PongGame, Seq[Int])]
-    val run   = new PongRun(c, player, 1, board).play(frames) { f =>
+    var last = Option.empty[(PongGame, Seq[Int])]
+    val run = new PongRun(c, player, 1, board).play(frames) { f =>
       val wanted = last.filter(_._1 == f.game).fold(model.frame(f.game).toSeq)(_._2)
       last = Some((f.game, wanted))
       assert(f.atPins.toSeq == wanted, s"frame ${f.index}")

@@ -1,6 +1,19 @@
 package frustum.engine.raster
 
-import frustum.contract.raster.{Combine, DepthFunction, FramePass, PackedTriangle, PackedVertex, RasterConfig, RenderState, TexelFormat, TextureRef, TextureUpload, TileRegion, Wrap}
+import frustum.contract.raster.{
+  Combine,
+  DepthFunction,
+  FramePass,
+  PackedTriangle,
+  PackedVertex,
+  RasterConfig,
+  RenderState,
+  TexelFormat,
+  TextureRef,
+  TextureUpload,
+  TileRegion,
+  Wrap
+}
 import frustum.driver.raster.{DrawOptions, Driver, PreparedFrame}
 import frustum.model.raster.RasterModel
 import frustum.reference.raster.ReferenceRaster
@@ -23,14 +36,23 @@ object Frames extends Assertions {
   /** Triangles anywhere, of any size, in several states. */
   def random(random: Random, config: RasterConfig, frame: Int, count: Int): FramePass = {
     val texture = TextureRef(0, 4, 5, if (random.nextBoolean()) TexelFormat.Rgb565 else TexelFormat.Rgba4444)
-    val states  = IndexedSeq(
+    val states = IndexedSeq(
       RenderState(),
       RenderState(Some(texture), combine = Combine.Replace, alphaRef = 9),
-      RenderState(Some(texture), Wrap.Mirror, Wrap.Clamp, Combine.Modulate, DepthFunction.LessEq, depthWrite = false, blend = true)
+      RenderState(
+        Some(texture),
+        Wrap.Mirror,
+        Wrap.Clamp,
+        Combine.Modulate,
+        DepthFunction.LessEq,
+        depthWrite = false,
+        blend = true
+      )
     )
-    def around(centre: Int, span: Int) = (centre + random.between(-span, span)).max(-PackedVertex.MaxXy).min(PackedVertex.MaxXy)
-    val vertices                       = IndexedSeq.tabulate(count) { _ =>
-      val span   = 1 << random.between(5, 13)
+    def around(centre: Int, span: Int) =
+      (centre + random.between(-span, span)).max(-PackedVertex.MaxXy).min(PackedVertex.MaxXy)
+    val vertices = IndexedSeq.tabulate(count) { _ =>
+      val span = 1 << random.between(5, 13)
       val (x, y) = (random.nextInt(config.width * 16), random.nextInt(config.height * 16))
       IndexedSeq.fill(3)(PackedVertex(
         around(x, span),

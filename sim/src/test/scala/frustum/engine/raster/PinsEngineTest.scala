@@ -24,10 +24,10 @@ class PinsEngineTest extends AnyFunSuite {
   private val pixels = small.width * small.height
 
   test("frames sent without waiting: cts holds the host back, the pictures are right") {
-    val seed    = 21
-    val random  = new Random(seed)
+    val seed = 21
+    val random = new Random(seed)
     val texture = Frames.texture(random)
-    val passes  = (0 until 5).map(Frames.random(random, small, _, 12))
+    val passes = (0 until 5).map(Frames.random(random, small, _, 12))
     simulate(seed) { (dut, session) =>
       session.send((Driver.commands(texture) ++ passes.flatMap(Driver.commands)).flatten)
       var heldBack = false
@@ -41,10 +41,10 @@ class PinsEngineTest extends AnyFunSuite {
   }
 
   test("the host drives the display itself; the frame after is right again") {
-    val seed    = 22
-    val random  = new Random(seed)
+    val seed = 22
+    val random = new Random(seed)
     val texture = Frames.texture(random)
-    val pass    = Frames.random(random, small, 0, 12)
+    val pass = Frames.random(random, small, 0, 12)
     simulate(seed) { (dut, session) =>
       session.send(Driver.commands(texture).flatten, wait = true)
       session.frame(Driver.commands(pass).flatten, pixels)
@@ -72,8 +72,8 @@ class PinsEngineTest extends AnyFunSuite {
   }
 
   test("the reset pin in mid-frame: the display starts anew, the next whole frame is right") {
-    val seed    = 23
-    val random  = new Random(seed)
+    val seed = 23
+    val random = new Random(seed)
     val texture = Frames.texture(random)
     simulate(seed) { (_, session) =>
       session.send(Driver.commands(texture).flatten, wait = true)
@@ -91,9 +91,9 @@ class PinsEngineTest extends AnyFunSuite {
   test("320 x 240 on the other panel: the picture is the model's, a frame takes less than 10 s") {
     val config = RasterConfig(width = 320, height = 240)
     PinsEngine.compile(config, Panel.St7789) // not to be counted
-    val frames  = Frames.scene("cube", config)
+    val frames = Frames.scene("cube", config)
     val started = System.nanoTime
-    val drawn   = new PinsEngine(EngineOptions(1, None, Panel.St7789)).render(frames).head
+    val drawn = new PinsEngine(EngineOptions(1, None, Panel.St7789)).render(frames).head
     val seconds = (System.nanoTime - started) / 1e9
     info(f"$seconds%.1f s, ${drawn.clocksAtPins.get} clocks")
     Frames.assertEqual(config, drawn.image, Frames.model(frames.head), "cube")
@@ -102,7 +102,7 @@ class PinsEngineTest extends AnyFunSuite {
 
   test("render takes the panel asked for") {
     val folder = Files.createTempDirectory("render")
-    val run    = CommandRunner.run(
+    val run = CommandRunner.run(
       "--line",
       s"render --scene cube --size 320x240 --panel st7789 --out $folder/cube.png --report $folder/cube.json"
     )

@@ -8,7 +8,7 @@ import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random
 
 class PipelineEngineTest extends AnyFunSuite {
-  private val odd      = RasterConfig(width = 72, height = 40)
+  private val odd = RasterConfig(width = 72, height = 40)
   private val smallest = RasterConfig(
     width = 40,
     height = 27,
@@ -25,20 +25,30 @@ class PipelineEngineTest extends AnyFunSuite {
       byteStall: Double = 0,
       pixelStall: Double = 0
   )(body: PipelineSession => Unit): Unit =
-    EngineSim.run(PipelineEngine.compile(config), None, seed)(dut => body(new PipelineSession(dut, seed, byteStall, pixelStall)))
+    EngineSim.run(PipelineEngine.compile(config), None, seed)(dut =>
+      body(new PipelineSession(dut, seed, byteStall, pixelStall))
+    )
 
-  private def check(session: PipelineSession, config: RasterConfig, textures: Seq[TextureUpload], pass: FramePass, what: String): Unit = {
+  private def check(
+      session: PipelineSession,
+      config: RasterConfig,
+      textures: Seq[TextureUpload],
+      pass: FramePass,
+      what: String
+  ): Unit = {
     val image = new Array[Int](config.width * config.height)
     session.take(pass, image)
     Frames.assertEqual(config, image, Frames.model(config, textures, Seq(pass)), what)
   }
 
-  for ((config, count) <- Seq(odd -> 20, smallest -> 7); (byteStall, pixelStall) <- Seq((0.0, 0.0), (0.5, 0.5), (0.0, 0.8)))
+  for (
+    (config, count) <- Seq(odd -> 20, smallest -> 7); (byteStall, pixelStall) <- Seq((0.0, 0.0), (0.5, 0.5), (0.0, 0.8))
+  )
     test(s"frames sent without a pause, ${config.width} x ${config.height}, stalls $byteStall and $pixelStall") {
-      val seed    = 5
-      val random  = new Random(seed)
+      val seed = 5
+      val random = new Random(seed)
       val texture = Frames.texture(random)
-      val passes  = (0 until 6).map(Frames.random(random, config, _, count))
+      val passes = (0 until 6).map(Frames.random(random, config, _, count))
       simulate(config, seed, byteStall, pixelStall) { session =>
         (Driver.commands(texture) ++ passes.flatMap(Driver.commands)).foreach(session.send)
         passes.foreach(p => check(session, config, Seq(texture), p, s"seed $seed, frame ${p.frame}"))
@@ -55,10 +65,10 @@ class PipelineEngineTest extends AnyFunSuite {
   }
 
   test("a texture sent while frames are drawn changes only those behind it") {
-    val seed     = 8
-    val random   = new Random(seed)
+    val seed = 8
+    val random = new Random(seed)
     val textures = Seq.fill(4)(Frames.texture(random))
-    val passes   = textures.indices.map(Frames.random(random, odd, _, 15))
+    val passes = textures.indices.map(Frames.random(random, odd, _, 15))
     simulate(odd, seed, pixelStall = 0.4) { session =>
       textures.zip(passes).foreach { case (t, p) => (Driver.commands(t) ++ Driver.commands(p)).foreach(session.send) }
       textures.zip(passes).foreach { case (t, p) => check(session, odd, Seq(t), p, s"seed $seed, frame ${p.frame}") }
@@ -72,15 +82,15 @@ class PipelineEngineTest extends AnyFunSuite {
   }
 
   test("wrong, lost, surplus and missing bytes spoil one frame at most, and are told") {
-    val seed    = 11
-    val random  = new Random(seed)
+    val seed = 11
+    val random = new Random(seed)
     val texture = Frames.texture(random)
     simulate(odd, seed) { session =>
       Driver.commands(texture).foreach(session.send)
       for (trial <- 0 until 40) {
         val bytes = Driver.commands(Frames.random(random, odd, 2 * trial, 10)).flatten
-        val at    = random.nextInt(bytes.length)
-        val bad   = trial % 4 match {
+        val at = random.nextInt(bytes.length)
+        val bad = trial % 4 match {
           case 0 => bytes.updated(at, bytes(at) ^ (1 << random.nextInt(8)))
           case 1 => bytes.patch(at, Nil, 1 + random.nextInt(30))
           case 2 => bytes.patch(at, Seq.fill(1 + random.nextInt(30))(random.nextInt(256)), 0)
@@ -98,8 +108,8 @@ class PipelineEngineTest extends AnyFunSuite {
   }
 
   test("a reset in mid-frame leaves nothing behind") {
-    val seed    = 13
-    val random  = new Random(seed)
+    val seed = 13
+    val random = new Random(seed)
     val texture = Frames.texture(random)
     simulate(odd, seed) { session =>
       for (trial <- 0 until 12) {
@@ -117,15 +127,17 @@ class PipelineEngineTest extends AnyFunSuite {
 
   test("320 x 240: a scene of hundreds of triangles") {
     val config = RasterConfig(width = 320, height = 240)
-    val frame  = Frames.scene("terrain", config)
-    val drawn  = new PipelineEngine(EngineOptions(1, None)).render(frame).head
+    val frame = Frames.scene("terrain", config)
+    val drawn = new PipelineEngine(EngineOptions(1, None)).render(frame).head
     Frames.assertEqual(config, drawn.image, Frames.model(frame.head), "terrain")
     info(s"${drawn.clocks.get} clocks")
   }
 
-  test("tiles are drawn while others are sent: a full-screen quad, textured and blended, a clock a pixel and little more") {
+  test(
+    "tiles are drawn while others are sent: a full-screen quad, textured and blended, a clock a pixel and little more"
+  ) {
     val config = RasterConfig(width = 320, height = 240)
-    val load   = new Workloads(config, 1)
+    val load = new Workloads(config, 1)
     simulate(config, 1) { session =>
       val passes = Seq.fill(2)(load.fullScreen)
       (Driver.commands(load.texture) ++ passes.flatMap(Driver.commands)).foreach(session.send)
@@ -136,7 +148,7 @@ class PipelineEngineTest extends AnyFunSuite {
   }
 
   test("a pipeline that stands still is told of") {
-    val pass  = Frames.random(new Random(1), odd, 0, 3)
+    val pass = Frames.random(new Random(1), odd, 0, 3)
     val fault = intercept[IllegalStateException](simulate(odd, 1) { session =>
       Driver.commands(pass).init.foreach(session.send) // draw is never sent
       session.take(pass, new Array[Int](odd.width * odd.height))

@@ -11,7 +11,7 @@ class FragmentModelTest extends AnyFunSuite {
     val model = new FragmentModel(config, new Array[Int](config.textureTexels))
     val image = new Array[Int](config.width * config.height)
     val state = RenderState(depth = DepthFunction.Less)
-    val f     = new FragmentValues
+    val f = new FragmentValues
     f.x = 3; f.y = 2; f.q = 1 << 30; f.z = 1000 << 15; f.r = 255 << 7; f.a = 255 << 7
     model.clear(0x1234)
     assert(model.draw(f, state) && !model.draw(f, state))
@@ -28,7 +28,7 @@ class FragmentModelTest extends AnyFunSuite {
       blend = true,
       depth = DepthFunction.Always
     )
-    val f                  = new FragmentValues
+    val f = new FragmentValues
     def draw(n: Int): Unit = for (i <- 0 until n) {
       f.x = i & 31; f.y = (i >> 5) & 15; f.s = i << 8; f.t = i << 4; f.q = (1 << 30) + i; f.a = i & 0x7fff
       model.draw(f, state)

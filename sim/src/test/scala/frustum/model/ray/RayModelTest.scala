@@ -12,7 +12,7 @@ import scala.util.Random
 /** Model against exact arithmetic: no object, silhouette, shadow or cell may differ. */
 class RayModelTest extends AnyFunSuite {
   private val (width, height) = (40, 30)
-  private val pong            = PongScene.room(width, height, 16)
+  private val pong = PongScene.room(width, height, 16)
 
   private def judge(scene: RayScene, motions: Seq[RayMotion]): Seq[RayCounts] = {
     val (picture, judge) = (new RayPicture(scene, width, height), new RayJudge(scene, width, height))
@@ -54,14 +54,14 @@ class RayModelTest extends AnyFunSuite {
 
   test("a sphere behind the eye is not drawn") {
     val behind = IntVector(0, 0, -400)
-    val scene  = pong.copy(spheres = Seq(RaySphere(behind, behind, 20, 0xff0000)))
-    val seen   = new RayPicture(scene, width, height)(RayMotion(Seq(behind), Seq(IntVector(0, 0, 640))))
+    val scene = pong.copy(spheres = Seq(RaySphere(behind, behind, 20, 0xff0000)))
+    val seen = new RayPicture(scene, width, height)(RayMotion(Seq(behind), Seq(IntVector(0, 0, 640))))
     assert(!seen.exists(_.objectId == 3))
   }
 
   test("the back wall is 960 away: so wide the paddle looks") {
     val fine = new RayPicture(PongScene.room(), 640, 480)(at(-300, -220, 20))
-    val row  = (0 until 640).filter(h => fine(240 * 640 + h).objectId == 2)
+    val row = (0 until 640).filter(h => fine(240 * 640 + h).objectId == 2)
     // Half a size of 50 at 960, in pixels 320 before the eye: 16.67.
     assert(row == (303 to 336), row)
   }
@@ -74,11 +74,11 @@ class RayModelTest extends AnyFunSuite {
       IntVector(0, -32, 0)
     )
     val scene = pong.copy(camera = RayCameraRange(back), spheres = Nil)
-    val seen  = new RayPicture(scene, width, height)(RayMotion(Nil, Seq(IntVector(0, 0, 640))))
+    val seen = new RayPicture(scene, width, height)(RayMotion(Nil, Seq(IntVector(0, 0, 640))))
     // The front, 640 x 480 at a distance of 320, fills the picture.
     assert(seen.forall(p => p.objectId == 0 && p.rgb == 0xffff00))
     val nearer = scene.copy(camera = RayCameraRange(back.copy(eye = IntVector(0, 0, 480))))
-    val walls  = new RayPicture(nearer, width, height)(RayMotion(Nil, Seq(IntVector(0, 0, 640))))
+    val walls = new RayPicture(nearer, width, height)(RayMotion(Nil, Seq(IntVector(0, 0, 640))))
     assert(walls.count(_.objectId == 0) == 26 * 20 && walls(0).objectId == 1)
     judge(nearer, Seq(RayMotion(Nil, Seq(IntVector(0, 0, 640))))).foreach(exact)
   }
@@ -103,8 +103,8 @@ class RayModelTest extends AnyFunSuite {
 
   for (inside <- Seq(false, true))
     test(s"a camera that moves and turns, ${if (inside) "in" else "before"} the room, 150 frames (seed 3)") {
-      val random  = new Random(3)
-      val scene   = RandomScenes.moving(width, height, 16, inside)
+      val random = new Random(3)
+      val scene = RandomScenes.moving(width, height, 16, inside)
       val motions = Seq.fill(150)(
         RandomScenes.motion(scene, random).copy(camera =
           Some(RandomScenes.camera(scene, random, width, height, 16))
@@ -116,9 +116,9 @@ class RayModelTest extends AnyFunSuite {
     }
 
   test("a camera beyond what is declared is refused with the numbers; so is one that moves without lengths") {
-    val scene                         = RandomScenes.moving(width, height, 16, inside = false)
-    val camera                        = RandomScenes.camera(scene, new Random(4), width, height, 16)
-    val still                         = PongScene.room(width, height, 16).camera.low
+    val scene = RandomScenes.moving(width, height, 16, inside = false)
+    val camera = RandomScenes.camera(scene, new Random(4), width, height, 16)
+    val still = PongScene.room(width, height, 16).camera.low
     def refused(c: Option[RayCamera]) =
       intercept[IllegalArgumentException](new RayPicture(scene, width, height)(at(0, 0, 320).copy(camera =
         c
@@ -149,9 +149,9 @@ class RayModelTest extends AnyFunSuite {
       spheres = Nil,
       quads = Nil
     )
-    val seen                = new RayPicture(scene, width, height)(RayMotion(Nil, Nil))
+    val seen = new RayPicture(scene, width, height)(RayMotion(Nil, Nil))
     def rgb(x: Int, y: Int) = seen(y * width + x).rgb
     assert(Seq(rgb(18, 13), rgb(21, 13), rgb(18, 16), rgb(21, 16)) == image.rgb) // the back wall
-    assert(rgb(0, 14) == 0xff0000 && rgb(0, 15) == 0x0000ff)                     // the left wall, nearer half
+    assert(rgb(0, 14) == 0xff0000 && rgb(0, 15) == 0x0000ff) // the left wall, nearer half
   }
 }

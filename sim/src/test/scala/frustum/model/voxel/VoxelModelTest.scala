@@ -13,7 +13,7 @@ import scala.util.Random
 
 /** The model's rays against exact marching. */
 class VoxelModelTest extends AnyFunSuite {
-  private val small  = VoxelConfig(size = WorldSize(16, 32, 8), width = 32, height = 24)
+  private val small = VoxelConfig(size = WorldSize(16, 32, 8), width = 32, height = 24)
   private val fields =
     Seq(LeapField.UpDown, LeapField.Octants, LeapField(0, 3), LeapField(5, 4), LeapField(0, 0))
 
@@ -27,7 +27,7 @@ class VoxelModelTest extends AnyFunSuite {
       val whole = random.between(-4, size + 5) * one
       if (random.nextInt(3) == 0) whole else whole + random.nextInt(one)
     }
-    val full      = 1 << VoxelCamera.DirectionBits
+    val full = 1 << VoxelCamera.DirectionBits
     val direction = random.nextInt(3) match {
       case 0 => Seq.fill(3)(random.between(-full, full))
       case 1 => Seq.fill(3)((random.nextInt(5) - 2) * full / 2) // along axes and through edges and corners
@@ -39,10 +39,10 @@ class VoxelModelTest extends AnyFunSuite {
   }
 
   for (field <- fields) test(s"rays anywhere see what exact marching sees, $field") {
-    val seed   = 1
+    val seed = 1
     val random = new Random(seed)
     for (density <- Seq(0.01, 0.1, 0.5)) {
-      val c     = small.copy(leaps = field, distance = 14)
+      val c = small.copy(leaps = field, distance = 14)
       val model = new VoxelModel(c, Blocks.assets, scatter(c.size, random, density))
       val judge = new VoxelJudge(model)
       for ((eye, d) <- rays(c, random, 4000)) {
@@ -55,10 +55,10 @@ class VoxelModelTest extends AnyFunSuite {
 
   test("hills: leaps take at most 1 / 2.2 of plain marching's steps up and down, 1 / 2.6 by octants") {
     for ((field, most) <- Seq(LeapField.UpDown -> 1 / 2.2, LeapField.Octants -> 1 / 2.6)) {
-      val c      = VoxelConfig(width = 40, height = 30, leaps = field)
+      val c = VoxelConfig(width = 40, height = 30, leaps = field)
       val counts = for (seed <- 1 to 3; yaw <- 0 until 360 by 60) yield {
-        val model  = new VoxelModel(c, Blocks.assets, Hills(c.size, seed))
-        val view   = VoxelView(new Vector3d(30.3, 31.6, 24), yaw + 7, -15, 225 / 8.0)
+        val model = new VoxelModel(c, Blocks.assets, Hills(c.size, seed))
+        val view = VoxelView(new Vector3d(30.3, 31.6, 24), yaw + 7, -15, 225 / 8.0)
         val camera = view.camera(c)
         val pixels = for (j <- 0 until c.height; i <- 0 until c.width) yield model.pixel(camera, i, j)
         new VoxelJudge(model).picture(camera, view, pixels)
@@ -73,15 +73,15 @@ class VoxelModelTest extends AnyFunSuite {
   }
 
   test("directions are within 1/16 pixel of the ideal camera's") {
-    val c      = VoxelConfig()
+    val c = VoxelConfig()
     val random = new Random(3)
-    val model  =
+    val model =
       new VoxelModel(c, Blocks.assets, VoxelWorld.tabulate(c.size)((_, _, z) => if (z == 0) 1 else 0))
     val worst =
       Seq.fill(40)((random.nextDouble() * 360, random.nextDouble() * 180 - 90)).map { case (yaw, pitch) =>
-        val view   = VoxelView(new Vector3d(32, 32, 16), yaw, pitch, 225)
+        val view = VoxelView(new Vector3d(32, 32, 16), yaw, pitch, 225)
         val camera = view.camera(c)
-        val ideal  = new frustum.reference.voxel.IdealVoxelPicture(c, Blocks.assets, model.world, view)
+        val ideal = new frustum.reference.voxel.IdealVoxelPicture(c, Blocks.assets, model.world, view)
         (for (j <- 0 until c.height by 7; i <- 0 until c.width by 7) yield {
           val ray = VoxelRaySetup(camera.eye.axes, camera.direction(i, j), c)
           ideal.directionError(i, j, VoxelJudge.direction(ray, c.slopeBits).map(_.toDouble))
@@ -92,7 +92,7 @@ class VoxelModelTest extends AnyFunSuite {
   }
 
   test("texels are within their face, also in edges and corners") {
-    val c     = small
+    val c = small
     val model = new VoxelModel(c, Blocks.assets, scatter(c.size, new Random(5), 0.3))
     for ((eye, d) <- rays(c, new Random(6), 5000)) {
       val camera = VoxelCamera(eye, d, d, IntVector(0, 0, 0), IntVector(0, 0, 0))

@@ -11,9 +11,9 @@ import scala.util.Random
 
 class AlphaTestBench(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val up    = slave(Stream(ColoredFragment(config)))
+    val up = slave(Stream(ColoredFragment(config)))
     val state = in(frustum.raster.store.RenderStateWord())
-    val down  = master(Stream(ColoredFragment(config)))
+    val down = master(Stream(ColoredFragment(config)))
   }
   FlowUnit(io.up, io.down, 2) { up =>
     val unit = AlphaStage(config)
@@ -24,14 +24,14 @@ class AlphaTestBench(config: RasterConfig) extends Component {
 }
 
 class AlphaStageTest extends AnyFunSuite {
-  private val config    = RasterConfig()
+  private val config = RasterConfig()
   private lazy val unit = FrustumSim.compile("AlphaTest")(new AlphaTestBench(config))
 
   for (reference <- Seq(0, 1, 16, 31))
     test(s"drops what is below $reference, and no mark") {
-      val random  = new Random(1)
+      val random = new Random(1)
       val corners = for (a <- 0 to 31; end <- Seq(false, true)) yield (random.nextInt(1 << 24), a, end)
-      val inputs  =
+      val inputs =
         corners ++ Seq.fill(1000)((random.nextInt(1 << 24), random.nextInt(32), random.nextInt(20) == 0))
       Equality(unit)(_.io.up, _.io.down)(
         (p: ColoredFragment, in: (Int, Int, Boolean)) => {

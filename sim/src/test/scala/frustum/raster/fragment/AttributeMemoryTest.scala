@@ -18,9 +18,9 @@ class AttributeMemoryTest extends AnyFunSuite {
   test("attributes and depths come back in order") {
     val config = RasterConfig(height = 240, tileLog2Width = 5, tileLog2Height = 3)
     FrustumSim.compile("AttributeMemory")(AttributeMemory(config)).doSim(seed) { dut =>
-      val r                     = new Random(seed)
-      val attributes            = ArrayBuffer.empty[Shown]
-      val depths                = ArrayBuffer.empty[Int]
+      val r = new Random(seed)
+      val attributes = ArrayBuffer.empty[Shown]
+      val depths = ArrayBuffer.empty[Int]
       var fetched, depthFetched = 0
       dut.io.push.valid #= false
       dut.io.fetch #= false
@@ -30,12 +30,12 @@ class AttributeMemoryTest extends AnyFunSuite {
       for (clock <- 0 until 20000) {
         // fits of filling and of draining, up to the fifteen that the pointers tell from none
         val filling = clock / 40 % 2 == 0
-        val push    =
+        val push =
           attributes.length - depthFetched < AttributeMemory.Words - 1 && r.nextInt(4) < (if (filling) 3
                                                                                           else 1)
-        val fetch      = fetched < attributes.length && r.nextInt(4) < (if (filling) 1 else 3)
+        val fetch = fetched < attributes.length && r.nextInt(4) < (if (filling) 1 else 3)
         val fetchDepth = depthFetched < fetched && r.nextInt(4) < (if (filling) 1 else 3)
-        val p          = dut.io.push
+        val p = dut.io.push
         p.valid #= push
         p.payload.randomize()
         p.z #= (if (r.nextInt(3) == 0) r.nextInt(4) << 29 else r.nextInt())
@@ -47,7 +47,7 @@ class AttributeMemoryTest extends AnyFunSuite {
           s"seed $seed clock $clock: empty"
         )
         if (fetched > 0) {
-          val a   = dut.io.attributes
+          val a = dut.io.attributes
           val got = Shown(a.x.toInt, a.y.toInt, a.tileEnd.toBoolean, Seq(a.r, a.g, a.b, a.a).map(_.toInt))
           assert(got == attributes(fetched - 1), s"seed $seed clock $clock: attributes ${fetched - 1}")
         }

@@ -25,15 +25,15 @@ class CombineTest extends AnyFunSuite {
   }
 
   for (
-    mode   <- Seq(CombineMode.ColorOnly, CombineMode.Replace, CombineMode.Modulate);
+    mode <- Seq(CombineMode.ColorOnly, CombineMode.Replace, CombineMode.Modulate);
     format <- Seq(TexelFormat.Rgb565, TexelFormat.Rgba4444)
   )
     test(s"$mode, $format") {
-      val random                     = new Random(1)
-      val state                      = RenderState(Some(TextureRef(0, 3, 3, format)), combine = mode)
-      val rgba                       = format == TexelFormat.Rgba4444
+      val random = new Random(1)
+      val state = RenderState(Some(TextureRef(0, 3, 3, format)), combine = mode)
+      val rgba = format == TexelFormat.Rgba4444
       def texel(five: Int, six: Int) = Seq(five, six, five, if (rgba) five else 31)
-      val corners                    =
+      val corners =
         for (t <- Seq(0, 1, 62, 63); c <- Seq(0, 1, 127, 128, 254, 255))
           yield Inputs(texel(t / 2, t), Seq.fill(4)(c))
       val inputs = corners ++ Seq.fill(2000)(
@@ -42,7 +42,7 @@ class CombineTest extends AnyFunSuite {
       val expected = inputs.map { in =>
         (0 until 4).map { i =>
           val keeps = mode == CombineMode.Replace && (i < 3 || rgba)
-          val t     = if (mode == CombineMode.ColorOnly) (if (i == 1) 63 else 31) else in.texel(i)
+          val t = if (mode == CombineMode.ColorOnly) (if (i == 1) 63 else 31) else in.texel(i)
           model.raster.fragment.Combine.channel(t, if (keeps) 255 else in.color(i))
         }
       }

@@ -8,14 +8,14 @@ import spinal.lib._
   */
 class InterlockWatch(out: Flow[ColoredFragment], blend: Bool, done: Bool) extends Area {
   private val address = out.payload.address
-  val before          = Vec.fill(2)(Reg(Flow(UInt(widthOf(address) bits))))
+  val before = Vec.fill(2)(Reg(Flow(UInt(widthOf(address) bits))))
   before.foreach(_.valid init False)
-  before(0).valid   := out.valid && !out.tileEnd
+  before(0).valid := out.valid && !out.tileEnd
   before(0).payload := address
-  before(1)         := before(0)
+  before(1) := before(0)
   private def meets(n: Int) = before(n).valid && before(n).payload === address
-  val tooClose              = out.valid && !out.tileEnd && (meets(0) || meets(1) && blend)
+  val tooClose = out.valid && !out.tileEnd && (meets(0) || meets(1) && blend)
 
   val resolving = RegInit(False) clearWhen done setWhen (out.valid && out.tileEnd)
-  val tooEarly  = out.valid && out.tileEnd && resolving
+  val tooEarly = out.valid && out.tileEnd && resolving
 }

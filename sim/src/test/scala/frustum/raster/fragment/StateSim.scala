@@ -24,12 +24,12 @@ object StateSim {
   }
 
   def random(r: Random, texels: Int = 32768): RenderState = {
-    val log2Width  = 3 + r.nextInt(5)
+    val log2Width = 3 + r.nextInt(5)
     val log2Height = 3 + r.nextInt(5)
-    val free       = (texels - (1 << log2Width + log2Height)) / 64
-    val format     = if (r.nextBoolean()) TexelFormat.Rgb565 else TexelFormat.Rgba4444
-    val texture    = Option.when(free >= 0)(TextureRef(r.nextInt(free + 1), log2Width, log2Height, format))
-    val combines   =
+    val free = (texels - (1 << log2Width + log2Height)) / 64
+    val format = if (r.nextBoolean()) TexelFormat.Rgb565 else TexelFormat.Rgba4444
+    val texture = Option.when(free >= 0)(TextureRef(r.nextInt(free + 1), log2Width, log2Height, format))
+    val combines =
       if (texture.isEmpty) Seq(Combine.ColorOnly)
       else Seq(Combine.ColorOnly, Combine.Replace, Combine.Modulate)
     RenderState(

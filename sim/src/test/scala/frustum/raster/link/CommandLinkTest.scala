@@ -1,6 +1,16 @@
 package frustum.raster.link
 
-import frustum.contract.raster.{Combine, Command, FixedState, RasterConfig, RenderState, StoreLayout, TexelFormat, TextureRef, VertexRanges}
+import frustum.contract.raster.{
+  Combine,
+  Command,
+  FixedState,
+  RasterConfig,
+  RenderState,
+  StoreLayout,
+  TexelFormat,
+  TextureRef,
+  VertexRanges
+}
 import frustum.harness.FrustumSim
 import frustum.model.raster.link.{CommandDecoder => DecoderModel, Job, LinkCounters, LinkModel}
 import org.scalatest.funsuite.AnyFunSuite
@@ -9,15 +19,21 @@ import spinal.core.sim._
 import scala.util.Random
 
 class CommandLinkTest extends AnyFunSuite {
-  private val small         = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
+  private val small = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
   private lazy val compiled = FrustumSim.compile("CommandLink_small")(CommandLinkTop(small, dropWhenFull = false))
 
-  private def run(sim: SimCompiled[CommandLinkTop], config: RasterConfig, stream: Seq[Int], seed: Int, stall: Double): Unit = {
+  private def run(
+      sim: SimCompiled[CommandLinkTop],
+      config: RasterConfig,
+      stream: Seq[Int],
+      seed: Int,
+      stall: Double
+  ): Unit = {
     val model = new LinkModel(config)
     model.feed(stream)
     sim.doSim(s"seed${seed}_stall$stall", seed) { dut =>
       val clock = dut.clockDomain
-      val sink  = new LinkSink(config, clock, dut.io.texels, dut.io.job, dut.io.jobDone, dut.io.rival, stall)
+      val sink = new LinkSink(config, clock, dut.io.texels, dut.io.job, dut.io.jobDone, dut.io.rival, stall)
       dut.io.bytes.valid #= false
       sink.start()
       SimTimeout(10L * (stream.length * 60 + 400000 + model.jobs.length * 20000))
@@ -49,13 +65,13 @@ class CommandLinkTest extends AnyFunSuite {
 
   test("and for the default sizes") {
     val config = RasterConfig()
-    val sim    = FrustumSim.compile("CommandLink_default")(CommandLinkTop(config, dropWhenFull = false))
+    val sim = FrustumSim.compile("CommandLink_default")(CommandLinkTop(config, dropWhenFull = false))
     run(sim, config, traffic(config, 4, 6), 4, 0.1)
   }
 
   test("and for hardware that cannot blend, clamp or write other than RGB565: states that ask for it are refused") {
     val config = small.copy(fixed = FixedState(mask = 1 << 26 | 5 << 16 | 1 << 15, value = 0))
-    val sim    = FrustumSim.compile("CommandLink_fixed")(CommandLinkTop(config, dropWhenFull = false))
+    val sim = FrustumSim.compile("CommandLink_fixed")(CommandLinkTop(config, dropWhenFull = false))
     run(sim, config, traffic(config, 5, 20), 5, 0.2)
   }
 
@@ -72,7 +88,7 @@ class CommandLinkTest extends AnyFunSuite {
   }
 
   test("a byte flipped, lost or added anywhere costs one command at most and is counted") {
-    val t        = new LinkTraffic(small, new Random(5))
+    val t = new LinkTraffic(small, new Random(5))
     val commands = Seq(
       (Command.Begin, Seq(7, 0x1234, 0x0001, 0x0002)),
       (Command.State, Seq(3, 0x7e7d, 0x7d7e)),
@@ -80,8 +96,8 @@ class CommandLinkTest extends AnyFunSuite {
       (Command.Texels, Seq(5, 0x7e00, 0x1111)),
       (Command.Draw, Seq(2, 0))
     )
-    val clean  = t.bytes(commands, errors = false)
-    val after  = t.bytes(Seq((Command.Begin, Seq(8, 0, 0, 0)), (Command.Draw, Seq(0, 0))), errors = false)
+    val clean = t.bytes(commands, errors = false)
+    val after = t.bytes(Seq((Command.Begin, Seq(8, 0, 0, 0)), (Command.Draw, Seq(0, 0))), errors = false)
     val spoilt = for (at <- clean.indices; kind <- 0 until 4) yield kind match {
       case 0 => clean.patch(at, Seq(clean(at) ^ (1 << at % 8)), 1)
       case 1 => clean.patch(at, Nil, 1)
@@ -90,9 +106,9 @@ class CommandLinkTest extends AnyFunSuite {
     }
     for (stream <- spoilt) {
       val framer = new frustum.model.raster.link.Framer
-      val got    = (stream ++ after).flatMap(framer.take)
-      val lost   = commands.map { case (c, p) => (c.opcode, p) }.diff(got).length
-      val cut    = clean.startsWith(stream) // the host stopped: what it did not send is not lost on the way
+      val got = (stream ++ after).flatMap(framer.take)
+      val lost = commands.map { case (c, p) => (c.opcode, p) }.diff(got).length
+      val cut = clean.startsWith(stream) // the host stopped: what it did not send is not lost on the way
       assert(cut || lost <= 1, s"${stream.mkString(" ")} lost $lost commands")
       assert(lost == 0 || cut || framer.dropped >= 1, s"${stream.mkString(" ")}: nothing counted")
       assert(got.takeRight(2) == Seq((Command.Begin.opcode, Seq(8, 0, 0, 0)), (Command.Draw.opcode, Seq(0, 0))))

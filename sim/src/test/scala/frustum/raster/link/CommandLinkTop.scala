@@ -12,15 +12,15 @@ import spinal.lib._
 /** The link with its store; `rival` comes before it at the store's port, to disturb it and to look inside. */
 case class CommandLinkTop(config: RasterConfig, dropWhenFull: Boolean) extends Component {
   val layout = StoreLayout(config)
-  val io     = new Bundle {
-    val bytes   = slave(Stream(Bits(8 bits)))
-    val rival   = slave(StoreBus(layout))
-    val texels  = master(Stream(TexelWrite()))
-    val job     = master(Stream(FrameJob(config)))
+  val io = new Bundle {
+    val bytes = slave(Stream(Bits(8 bits)))
+    val rival = slave(StoreBus(layout))
+    val texels = master(Stream(TexelWrite()))
+    val job = master(Stream(FrameJob(config)))
     val jobDone = in Bool ()
-    val status  = out(LinkStatus())
+    val status = out(LinkStatus())
   }
-  val link  = CommandLink(config, dropWhenFull = dropWhenFull)
+  val link = CommandLink(config, dropWhenFull = dropWhenFull)
   val store = Store(layout, 2, Tech.Generic)
   store.io.clients(0) <> io.rival
   store.io.clients(1) <> link.io.store
@@ -28,7 +28,7 @@ case class CommandLinkTop(config: RasterConfig, dropWhenFull: Boolean) extends C
   link.io.texels >> io.texels
   link.io.job >> io.job
   link.io.jobDone := io.jobDone
-  io.status       := link.io.status
+  io.status := link.io.status
 }
 
 /** Plays the rasterizer: takes texels and jobs, reads each job's bank, reports it done after a random time. */
@@ -45,8 +45,8 @@ final class LinkSink(
 
   val layout = StoreLayout(config)
   val texels = Array.fill(config.textureTexels)(0)
-  val jobs   = ArrayBuffer.empty[Job]
-  var done   = 0
+  val jobs = ArrayBuffer.empty[Job]
+  var done = 0
 
   /** While true no job gets done. */
   var paused = false
@@ -70,7 +70,7 @@ final class LinkSink(
         clock.waitSamplingWhere { rival.cmd.valid #= simRandom.nextDouble() < stall; job.valid.toBoolean }
         job.ready #= false
         val (bank, count, color) = (job.bank.toInt, job.triangleCount.toInt, job.clearColor.toInt)
-        val region               = TileRegion(job.x0.toInt, job.y0.toInt, job.x1.toInt, job.y1.toInt)
+        val region = TileRegion(job.x0.toInt, job.y0.toInt, job.x1.toInt, job.y1.toInt)
         jobs += Job(bank, count, color, region, readBank(bank))
         disturb(simRandom.nextInt(400))
         while (paused) clock.waitSampling()

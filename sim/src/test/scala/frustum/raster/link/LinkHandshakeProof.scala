@@ -25,7 +25,7 @@ class CommandDecoderClaims extends Component {
   assume(!unit.io.jobDone || unit.io.drawing)
   // For induction: one state at a time, the store is asked in five of them, and for a vertex's word when it was checked.
   import DecoderState._
-  val state  = unit.state.pull()
+  val state = unit.state.pull()
   val asking = unit.asking.pull()
   assert(CountOne(state.asBits) === 1)
   assert(!asking || Seq(writeState, writeVertex, read, writeIndices, writeBox).map(state === _).orR)

@@ -23,14 +23,14 @@ class TriangleBoxTest extends AnyFunSuite {
           dut.clockDomain.waitSampling()
           var boxes, empties = 0
           for (n <- 0 until 3000) {
-            val vertical      = r.nextBoolean()
+            val vertical = r.nextBoolean()
             val (limit, log2) =
               if (vertical) (config.height, config.tileLog2Height) else (config.width, config.tileLog2Width)
-            def any    = r.between(-PackedVertex.MaxXy, PackedVertex.MaxXy + 1)
+            def any = r.between(-PackedVertex.MaxXy, PackedVertex.MaxXy + 1)
             def screen = r.between(-40, 16 * limit + 40)
             def border = Seq(0, 16 * limit, 16 << log2)(r.nextInt(3)) + r.between(-10, 11)
-            val near   = screen
-            val off    = if (r.nextBoolean()) r.between(-PackedVertex.MaxXy, -8)
+            val near = screen
+            val off = if (r.nextBoolean()) r.between(-PackedVertex.MaxXy, -8)
             else r.between(16 * limit - 7, PackedVertex.MaxXy)
             val c = Seq.fill(3)(n % 5 match {
               case 0 => any
@@ -55,7 +55,7 @@ class TriangleBoxTest extends AnyFunSuite {
             }
             dut.clockDomain.waitSampling(5)
             val (first, end) = model.raster.link.TriangleBox.pixels(c, limit)
-            def where        = s"seed $seed triangle $n, $c, vertical $vertical"
+            def where = s"seed $seed triangle $n, $c, vertical $vertical"
             assert(dut.io.empty.toBoolean == (first >= end), where)
             if (first < end) {
               val got = if (vertical) (dut.io.firstY.toInt, dut.io.lastY.toInt)

@@ -20,8 +20,8 @@ class VertexCheckTest extends AnyFunSuite {
   )
     test(s"$ranges: refuses what the vertex's own rule refuses, as soon as it is known") {
       FrustumSim.compile("VertexCheck")(VertexCheck(ranges)).doSim(seed) { dut =>
-        val r     = new Random(seed)
-        val good  = PackedVertex(0, 0, 0, 32768, 0, 0, 0, 0, 0, 0, 0).words
+        val r = new Random(seed)
+        val good = PackedVertex(0, 0, 0, 32768, 0, 0, 0, 0, 0, 0, 0).words
         val edges = Seq(0, 1, 0x3f, 0x40, 0x7f, 0x80, 0x3fff, 0x4000, 0x4001, 0x7fff, 0x8000, 0x8001, 0xbfff,
           0xc000, 0xc001, 0xffff)
         // what is just within the ranges and just beyond
@@ -62,13 +62,13 @@ class VertexCheckTest extends AnyFunSuite {
         dut.io.word.valid #= false
         dut.clockDomain.forkStimulus(10)
         dut.clockDomain.waitSampling()
-        var refused                                  = 0
+        var refused = 0
         def judge(v: Seq[Int], i: Int, n: Int): Unit = {
           // what is still to come is taken to be good; half a texture coordinate tells nothing of its lowest value
-          val known  = if (i % 2 == 0 && i > 1) i else i + 1
+          val known = if (i % 2 == 0 && i > 1) i else i + 1
           val should = PackedVertex.decode(v.take(known) ++ good.drop(known)).fault(ranges).isDefined
-          val fault  = dut.io.fault.toBoolean
-          def where  = s"seed $seed vertex $n, word $i of ${v.map(w => f"$w%04x").mkString(" ")}"
+          val fault = dut.io.fault.toBoolean
+          def where = s"seed $seed vertex $n, word $i of ${v.map(w => f"$w%04x").mkString(" ")}"
           if (i % 2 == 1) assert(fault == should, where) else assert(!should || fault, where)
         }
         for ((v, n) <- vertices.zipWithIndex) {

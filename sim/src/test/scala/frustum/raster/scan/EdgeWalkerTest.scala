@@ -14,10 +14,10 @@ class EdgeWalkerTest extends AnyFunSuite {
   private val config = RasterConfig()
 
   private val seed = 11
-  private val r    = new Random(seed)
+  private val r = new Random(seed)
   private val jobs = new EdgeJobs(config, r)
 
-  private lazy val walker                     = FrustumSim.compile("EdgeWalker")(EdgeWalker(config))
+  private lazy val walker = FrustumSim.compile("EdgeWalker")(EdgeWalker(config))
   private def check(jobs: Seq[EdgeJob]): Unit =
     walker.doSim(s"EdgeWalker_$seed", seed) { dut =>
       val got = ArrayBuffer.empty[String]
@@ -41,7 +41,8 @@ class EdgeWalkerTest extends AnyFunSuite {
           val step = stepAt.indexOf(clock)
           val edge = edgeAt.indexOf(clock)
           dut.io.step.valid #= step >= 0
-          dut.io.step.payload #= (if (step >= 0) (if (step % 2 == 0) job.stepX else job.stepY) (step / 2) else r.between(-65535, 65536))
+          dut.io.step.payload #= (if (step >= 0) (if (step % 2 == 0) job.stepX else job.stepY) (step / 2)
+                                  else r.between(-65535, 65536))
           dut.io.edge.valid #= edge >= 0
           dut.io.edge.index #= scala.math.max(edge, 0)
           dut.io.edge.value #= (if (edge >= 0) job.values(edge) else r.nextInt())

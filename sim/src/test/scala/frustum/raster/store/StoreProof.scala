@@ -11,7 +11,7 @@ import spinal.lib._
 /** The store between readers that may think better of a request and a writer that may not. */
 class StoreClaims(layout: StoreLayout, clients: Int) extends Component {
   val unit = FormalDut(Store(layout, clients, Tech.Generic))
-  val all  = unit.io.clients.toSeq
+  val all = unit.io.clients.toSeq
   assumeInitial(clockDomain.isResetActive)
   for (client <- all) { anyseq(client.cmd.valid); anyseq(client.cmd.payload) }
   all.last.cmd.formalAssumesSlave()

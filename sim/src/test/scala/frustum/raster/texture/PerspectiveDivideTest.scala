@@ -21,14 +21,14 @@ class PerspectiveDivideTest extends AnyFunSuite {
   }
 
   test("quotient against exact arithmetic: relative error below 2^-16, cutting below 2^-17 repeats") {
-    val random   = new Random(1)
+    val random = new Random(1)
     var relative = 0.0
     for (_ <- 0 until 300000) {
-      val q       = (1 << 30 | random.nextInt(1 << 30)) >> random.nextInt(15)
+      val q = (1 << 30 | random.nextInt(1 << 30)) >> random.nextInt(15)
       val repeats = (random.nextDouble() * 2 - 1) * 256 / (1 << random.nextInt(9))
-      val s       = (repeats * (q / 256.0)).toInt
-      val exact   = BigDecimal(s) * 256 / BigDecimal(q)
-      val error   = ((BigDecimal(model.raster.texture.PerspectiveDivide(s, q)) / 131072) - exact).abs.toDouble
+      val s = (repeats * (q / 256.0)).toInt
+      val exact = BigDecimal(s) * 256 / BigDecimal(q)
+      val error = ((BigDecimal(model.raster.texture.PerspectiveDivide(s, q)) / 131072) - exact).abs.toDouble
       relative = relative.max((error - 1.05 / 131072) / exact.abs.toDouble.max(1e-9))
       assert(error <= exact.abs.toDouble / 65536 + 1.05 / 131072, s"$s / $q: off by ${units(error)} repeats")
     }
@@ -37,14 +37,14 @@ class PerspectiveDivideTest extends AnyFunSuite {
 
   test("a power of two as q is exact down to the last fraction bit") {
     for (e <- 0 to 15; s <- Seq(0, 1, -1, 12345, -54321, (1 << 22) + 64)) {
-      val q      = 1 << (30 - e)
+      val q = 1 << (30 - e)
       val scaled = s >> e << 6 >> 6
       assert(model.raster.texture.PerspectiveDivide(scaled, q) == (scaled << e) >> 5, s"$scaled / 2^-$e")
     }
   }
 
   test("hardware equals model") {
-    val random  = new Random(2)
+    val random = new Random(2)
     val corners = Seq(
       0,
       1,

@@ -17,11 +17,11 @@ import scala.util.Random
 /** The texture unit with coordinates held back until `go`, which comes when its memory is loaded. */
 class TextureHarness(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val up     = slave(Stream(TextureCoordinate()))
-    val go     = in Bool ()
-    val state  = in(RenderStateWord())
+    val up = slave(Stream(TextureCoordinate()))
+    val go = in Bool ()
+    val state = in(RenderStateWord())
     val texels = slave(Stream(TexelWrite()))
-    val down   = master(Stream(Texel()))
+    val down = master(Stream(Texel()))
   }
   val unit = TextureUnit(config, Tech.Generic)
   unit.io.up << io.up.haltWhen(!io.go)
@@ -31,7 +31,7 @@ class TextureHarness(config: RasterConfig) extends Component {
 }
 
 class TextureUnitTest extends AnyFunSuite {
-  private val config    = RasterConfig(textureTexels = 4096)
+  private val config = RasterConfig(textureTexels = 4096)
   private lazy val unit = FrustumSim.compile("TextureUnit")(new TextureHarness(config))
 
   private def check(
@@ -40,9 +40,9 @@ class TextureUnitTest extends AnyFunSuite {
       coordinates: Seq[(Int, Int)],
       rewrite: Boolean = false
   ): Unit = {
-    val random   = new Random(seed)
-    val texture  = state.texture.get
-    val texels   = Array.fill(config.textureTexels)(random.nextInt(65536))
+    val random = new Random(seed)
+    val texture = state.texture.get
+    val texels = Array.fill(config.textureTexels)(random.nextInt(65536))
     val expected = coordinates.map { case (s, t) =>
       val address = model.raster.texture.TextureUnit.address(
         model.raster.texture.TextureUnit.index(s, state.wrapS, texture.log2Width),
@@ -87,7 +87,7 @@ class TextureUnitTest extends AnyFunSuite {
   }
   for (wrap <- Wrap.all; log2 <- Seq(3, 5, 7)) test(s"$wrap at the borders, ${1 << log2} texels") {
     val borders = for (i <- -2 to 2; d <- Seq(-1, 0, 1)) yield (i << 17) + d
-    val state   = RenderState(Some(TextureRef(0, log2, 10 - log2, TexelFormat.Rgba4444)), wrap, wrap)
+    val state = RenderState(Some(TextureRef(0, log2, 10 - log2, TexelFormat.Rgba4444)), wrap, wrap)
     check(7, state, (for (s <- borders; t <- borders) yield (s, t)) ++ Seq((-(1 << 26), (1 << 26) - 1)))
   }
   test("texels written while others are read") {

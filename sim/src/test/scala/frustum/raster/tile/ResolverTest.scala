@@ -20,13 +20,13 @@ class ResolverTest extends AnyFunSuite {
   private val clears = Seq(0x1234, 0x1234, 0xffff, 0, 0)
 
   private def check(config: RasterConfig, frames: Int, throughput: Double): Unit = {
-    val r     = new Random(seed)
+    val r = new Random(seed)
     val words = config.tileWidth * config.tileHeight
     val tiles =
       for (f <- 0 until frames; y <- 0 until config.tilesY; x <- 0 until config.tilesX) yield (f, x, y)
     val strokes =
       tiles.map(_ => Seq.fill(r.nextInt(60))(Stroke(r.nextInt(words), r.nextInt(65536), end = false)))
-    val model  = new FragmentModel(config, Array(0))
+    val model = new FragmentModel(config, Array(0))
     val screen = new Array[Int](config.width * config.height)
     // The screen is read before the next tile changes it.
     val expected = tiles.zip(strokes).flatMap { case ((f, tileX, tileY), tile) =>

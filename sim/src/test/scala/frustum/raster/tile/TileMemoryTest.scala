@@ -9,18 +9,18 @@ import scala.util.Random
 
 class TileMemoryTest extends AnyFunSuite {
   private val config = RasterConfig(19, 21, 3, 3)
-  private val words  = 64
-  private val seed   = 9
+  private val words = 64
+  private val seed = 9
 
   for (resolved <- Seq(true, false))
     test(s"a bank is drawn to while the other is ${if (resolved) "resolved and cleared" else "cleared"}") {
       FrustumSim.compile(s"TileMemory_$resolved")(TileMemory(config, 16, resolved)).doSim(seed) { dut =>
-        val r               = new Random(seed)
-        val banks           = Array.fill(2, words)(0)
-        var drawn           = 0 // what was read last, and must still be shown
-        var shown           = 0
+        val r = new Random(seed)
+        val banks = Array.fill(2, words)(0)
+        var drawn = 0 // what was read last, and must still be shown
+        var shown = 0
         var reads, resolves = 0
-        val clear           = dut.io.clear
+        val clear = dut.io.clear
         dut.io.readEnable #= false
         dut.io.writeEnable #= 0
         Seq(clear.active, clear.all, clear.read, clear.write, clear.done).foreach(_ #= false)
@@ -40,16 +40,16 @@ class TileMemoryTest extends AnyFunSuite {
 
         for (block <- 0 until 200) {
           // Those who draw have one bank, the resolver the other, or nothing at all.
-          val mine   = r.nextInt(2)
+          val mine = r.nextInt(2)
           val active = r.nextInt(4) > 0
           clear.active #= active
           clear.bank #= 1 - mine
           var known, knownResolved = false
           for (clock <- 0 until 40) {
-            val at                           = r.shuffle((0 until words).toList) // apart: a word is not read in the clock it is written
-            def chance                       = r.nextInt(4) > 0
+            val at = r.shuffle((0 until words).toList) // apart: a word is not read in the clock it is written
+            def chance = r.nextInt(4) > 0
             val (read, write, resolve, wipe) = (chance, chance, active && chance, chance)
-            val (data, wiped)                = (r.nextInt(65536), r.nextInt(65536))
+            val (data, wiped) = (r.nextInt(65536), r.nextInt(65536))
             dut.io.readEnable #= read
             dut.io.readBank #= (if (read) mine else r.nextInt(2))
             dut.io.readAddress #= at(0)

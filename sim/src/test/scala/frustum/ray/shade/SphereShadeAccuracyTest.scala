@@ -13,7 +13,7 @@ import scala.util.Random
 /** Shades of the model against float64: off by more than 1 of 255 in at most one pixel of 1000, by 2 at most. */
 class SphereShadeAccuracyTest extends AnyFunSuite {
   private val (width, height) = (80, 60)
-  private val pong            = PongScene.room(width, height, 8)
+  private val pong = PongScene.room(width, height, 8)
 
   /** Pixels on spheres, and those of them that are off by more than one. */
   private def judge(scene: RayScene, motions: Seq[RayMotion]): (Long, RayCounts) = {
@@ -38,7 +38,7 @@ class SphereShadeAccuracyTest extends AnyFunSuite {
 
   /** Nearer, at 1 unit, 3 of 567 pixels are off by up to 2.84. */
   test("light at 2 to 10 units from the sphere, 640 x 480") {
-    val fine             = PongScene.room()
+    val fine = PongScene.room()
     val (picture, judge) = (new RayPicture(fine, 640, 480), new RayJudge(fine, 640, 480))
     for (away <- Seq(2, 3, 5, 10)) {
       val motion = RayMotion(

@@ -17,7 +17,7 @@ class CoverageTest extends AnyFunSuite {
     * than that; then it lies on no edge, and is covered when it is strictly inside.
     */
   private def coveredByShift(p: Seq[Point], x: Int, y: Int): Boolean = {
-    val k        = BigInt(1) << 60
+    val k = BigInt(1) << 60
     val (px, py) = (BigInt(16 * x + 8) * k + (BigInt(1) << 30), BigInt(16 * y + 8) * k + 1)
     (0 until 3).forall { i =>
       val ((ax, ay), (bx, by)) = (p(i), p((i + 1) % 3))
@@ -42,11 +42,11 @@ class CoverageTest extends AnyFunSuite {
   }
 
   test("10,000 pairs that share an edge: along it each pixel belongs to exactly one") {
-    val r    = new Random(seed)
+    val r = new Random(seed)
     var done = 0
     while (done < 10000) {
-      val sliver      = done % 4 == 0
-      val (a, b)      = (point(r, 14), point(r, 14))
+      val sliver = done % 4 == 0
+      val (a, b) = (point(r, 14), point(r, 14))
       def near: Point = if (sliver)
         ((a._1 + b._1) / 2 + r.nextInt(9) - 4, (a._2 + b._2) / 2 + r.nextInt(9) - 4)
       else point(r, 14)
@@ -57,7 +57,7 @@ class CoverageTest extends AnyFunSuite {
           val count = Seq(one, two).count(_.contains(x, y))
           assert(count <= 1, s"seed $seed: pixel ($x, $y) twice by $a $b $c and $d")
           val p: Point = (16L * x + 8, 16L * y + 8)
-          val onEdge   = area(a, b, p) == 0 && dot(a, b, p) > 0 && dot(b, a, p) > 0
+          val onEdge = area(a, b, p) == 0 && dot(a, b, p) > 0 && dot(b, a, p) > 0
           if (onEdge) assert(count == 1, s"seed $seed: pixel ($x, $y) missed by $a $b $c and $d")
         }
         done += 1
@@ -69,7 +69,7 @@ class CoverageTest extends AnyFunSuite {
     (b._1 - a._1) * (p._1 - a._1) + (b._2 - a._2) * (p._2 - a._2)
 
   test("a closed mesh covers its rectangle once, whatever its inner vertices are") {
-    val r      = new Random(seed)
+    val r = new Random(seed)
     val config = RasterConfig(width = 32, height = 32)
     for (_ <- 0 until 50) {
       val grid = IndexedSeq.tabulate(9, 9) { (i, j) =>
@@ -109,7 +109,7 @@ class CoverageTest extends AnyFunSuite {
   test("in double precision the rule is the same") {
     val r = new Random(seed)
     for (_ <- 0 until 500) {
-      val p     = Seq.fill(3)(point(r, 12))
+      val p = Seq.fill(3)(point(r, 12))
       val exact = if (area(p(0), p(1), p(2)) < 0) coverage(p.reverse: _*) else coverage(p: _*)
       val float = new FloatCoverage(p.map { case (x, y) =>
         ScreenVertex(x / 16.0, y / 16.0, 0, 1, 0, 0, 0, 0, 0, 0)

@@ -12,7 +12,7 @@ import scala.util.Random
   * 1/16, are on its grid as well. Skipped where libosmesa6-dev or a C compiler is missing.
   */
 class MesaTest extends AnyFunSuite {
-  private val seed   = 77L
+  private val seed = 77L
   private val config = RasterConfig(width = 256, height = 192)
 
   private lazy val mesa = Mesa.found.getOrElse(cancel(Mesa.Missing))
@@ -31,9 +31,9 @@ class MesaTest extends AnyFunSuite {
     * corners of pixels, so that edges meet centres exactly.
     */
   private def soup(seed: Long, count: Int): FramePass = {
-    val r      = new Random(seed)
+    val r = new Random(seed)
     def vertex = {
-      val grid                = if (r.nextBoolean()) 8 else 1
+      val grid = if (r.nextBoolean()) 8 else 1
       def position(size: Int) = r.nextInt(size * 16 / grid) * grid / 16.0
       Passes.vertex(
         position(config.width),
@@ -49,21 +49,21 @@ class MesaTest extends AnyFunSuite {
   }
 
   test("coverage agrees, pixel for pixel") {
-    val pass  = soup(seed, 1000)
+    val pass = soup(seed, 1000)
     val drawn = mesa.triangles(pass, config, depth = false)
     val wrong = drawn.zip(last(pass)).count { case (a, b) => a != b }
     assert(wrong == 0, s"of ${drawn.length} pixels, seed $seed")
   }
 
   test("texels in perspective agree where they are judged") {
-    val pass   = soup(seed + 1, 60)
-    val drawn  = mesa.texels(pass, config, depth = false)
+    val pass = soup(seed + 1, 60)
+    val drawn = mesa.texels(pass, config, depth = false)
     val planes = pass.triangles.map(t =>
       new TriangleAttributes(IndexedSeq(t.v0, t.v1, t.v2).map(i => ScreenVertex.of(pass.vertices(i))))
     )
     val verdicts = for {
-      (n, i)  <- last(pass).zipWithIndex if n >= 0
-      (s, t)  <- drawn(i)
+      (n, i) <- last(pass).zipWithIndex if n >= 0
+      (s, t) <- drawn(i)
       verdict <- AttributeJudge.one(pass.states.head, planes(n)(i % config.width, i / config.width), s, t)
     } yield verdict
     val sum = verdicts.reduce(_ + _)
@@ -75,9 +75,9 @@ class MesaTest extends AnyFunSuite {
   ) {
     val judge = new FrameJudge(Engines.model, simulated = false)
     for (name <- Scenes.names) {
-      val scene   = Scenes.byName(name)
+      val scene = Scenes.byName(name)
       val options = DrawOptions(None, cullBack = false, Wrap.Repeat, scene.background)
-      val frame   = Driver.prepare(scene, scene.camera, options, config, 0)
+      val frame = Driver.prepare(scene, scene.camera, options, config, 0)
       for (v <- MesaJudge.judge(mesa, frame, judge.drawModel(frame)._3)) {
         info(s"$name: $v")
         assert(v.primitiveWrong <= 20 && v.wrong <= 1 + v.judged / 1000, s"$name: $v")

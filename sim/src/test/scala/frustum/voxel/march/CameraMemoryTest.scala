@@ -6,14 +6,14 @@ import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 
 class CameraMemoryTest extends AnyFunSuite {
-  private val c     = VoxelConfig()
+  private val c = VoxelConfig()
   private val start = VoxelCamera.level(c, 225)
 
   test("what is shown is the newest camera that was whole when it was taken, after a reset that of the start") {
     EngineSim.compile("CameraMemory")(CameraMemory(c, start)).doSim("random", 1) { dut =>
-      val random          = simRandom
-      var shown, newest   = start.numbers
-      val written         = Array.fill(15)(0)
+      val random = simRandom
+      var shown, newest = start.numbers
+      val written = Array.fill(15)(0)
       var commits, resets = 0
       dut.io.write.valid #= false
       dut.io.commit #= false

@@ -13,7 +13,7 @@ import scala.util.Random
 /** Edits by the hardware: after each the world's memory is, word for word, what a host would have made of the new world. */
 class WorldEditorTest extends AnyFunSuite {
   private case class Bench(c: VoxelConfig) extends Component {
-    val edit   = slave(Stream(BlockEdit(c)))
+    val edit = slave(Stream(BlockEdit(c)))
     val editor = WorldEditor(c)
     val memory = WorldMemory(c)
     edit >> editor.io.edit
@@ -46,12 +46,13 @@ class WorldEditorTest extends AnyFunSuite {
       for (n <- 0 until edits) {
         val blocks = world.ids.indices.filter(world.ids(_) != 0)
         val corner = Seq(size.x, size.y, size.z).map(s => Seq(0, s - 1)(random.nextInt(2)))
-        val at     = random.nextInt(4) match {
+        val at = random.nextInt(4) match {
           case 0 if blocks.nonEmpty => blocks(random.nextInt(blocks.length))
           case 1                    => size.address(corner(0), corner(1), corner(2))
           case _                    => random.nextInt(size.blocks)
         }
-        val id = if (world.ids(at) != 0 && random.nextInt(4) > 0) 0 else random.nextInt(25) // also air to air, block to block
+        val id =
+          if (world.ids(at) != 0 && random.nextInt(4) > 0) 0 else random.nextInt(25) // also air to air, block to block
         dut.edit.valid #= true
         dut.edit.address #= at
         dut.edit.id #= id

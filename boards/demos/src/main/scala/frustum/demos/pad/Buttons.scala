@@ -8,13 +8,13 @@ import spinal.lib._
   */
 case class Buttons(count: Int) extends Component {
   val io = new Bundle {
-    val pins   = in Bits (count bits)  // high = pressed, asynchronous
+    val pins = in Bits (count bits) // high = pressed, asynchronous
     val sample = in Bool ()
-    val held   = out Bits (count bits) // changes in the clock after `sample`
+    val held = out Bits (count bits) // changes in the clock after `sample`
   }
-  val pins   = BufferCC(io.pins, init = B(0, count bits))
+  val pins = BufferCC(io.pins, init = B(0, count bits))
   val before = RegNextWhen(pins, io.sample) init 0
-  val held   = Reg(Bits(count bits)) init 0
+  val held = Reg(Bits(count bits)) init 0
   when(io.sample)(held := (held & (pins | before)) | (pins & before))
   io.held := held
 }

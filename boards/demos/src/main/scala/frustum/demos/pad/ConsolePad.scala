@@ -6,10 +6,10 @@ import spinal.lib.com.spi.{SpiMasterCtrl, SpiMasterCtrlGenerics}
 
 /** A console pad's wires; `dat` needs a pull-up. */
 case class ConsolePadPins() extends Bundle with IMasterSlave {
-  val att                       = Bool() // low while the pad is asked
-  val sck                       = Bool()
-  val cmd                       = Bool() // to the pad
-  val dat                       = Bool() // from it
+  val att = Bool() // low while the pad is asked
+  val sck = Bool()
+  val cmd = Bool() // to the pad
+  val dat = Bool() // from it
   override def asMaster(): Unit = { out(att, sck, cmd); in(dat) }
 }
 
@@ -26,10 +26,10 @@ case class ConsolePadPins() extends Bundle with IMasterSlave {
 case class ConsolePad(clockHz: Long, sckHz: Int = 83333) extends Component {
   require(clockHz >= 4L * sckHz, s"ConsolePad: a clock of $clockHz Hz is less than 4 times SCK's $sckHz")
   val io = new Bundle {
-    val poll  = in Bool ()  // asks, unless an answer is under way; once a frame is enough
-    val pins  = master(ConsolePadPins())
+    val poll = in Bool () // asks, unless an answer is under way; once a frame is enough
+    val pins = master(ConsolePadPins())
     val state = out(PadState())
-    val done  = out Bool () // pulses when `state` is new
+    val done = out Bool () // pulses when `state` is new
   }
   private val toggle =
     ((clockHz + 2L * sckHz - 1) / (2L * sckHz) - 2).toInt // SpiMasterCtrl takes two clocks more
@@ -37,49 +37,49 @@ case class ConsolePad(clockHz: Long, sckHz: Int = 83333) extends Component {
 
   val spi =
     SpiMasterCtrl(SpiMasterCtrlGenerics(ssWidth = 0, timerWidth = log2Up(toggle + 1).max(1), dataWidth = 8))
-  spi.io.config.kind.cpol  := True
-  spi.io.config.kind.cpha  := True
+  spi.io.config.kind.cpol := True
+  spi.io.config.kind.cpha := True
   spi.io.config.sclkToggle := toggle
 
   // The answer to byte n is answer(n); that to the first means nothing.
-  val answer  = Vec.fill(ConsolePad.Bytes)(Reg(Bits(8 bits)))
-  val busy    = RegInit(False)
-  val index   = Reg(UInt(4 bits))                 // byte to send
-  val arrived = Reg(UInt(4 bits))                 // bytes answered
+  val answer = Vec.fill(ConsolePad.Bytes)(Reg(Bits(8 bits)))
+  val busy = RegInit(False)
+  val index = Reg(UInt(4 bits)) // byte to send
+  val arrived = Reg(UInt(4 bits)) // bytes answered
   val waiting = Reg(UInt(log2Up(pause + 1) bits)) // before the next byte
-  val id      = answer(1)
-  val sticks  = id === ConsolePad.Analogue
-  val last    = sticks ? U(ConsolePad.Bytes, 4 bits) | U(ConsolePad.DigitalBytes, 4 bits)
-  val ended   = busy && waiting === 0 && index === last && index > 1
+  val id = answer(1)
+  val sticks = id === ConsolePad.Analogue
+  val last = sticks ? U(ConsolePad.Bytes, 4 bits) | U(ConsolePad.DigitalBytes, 4 bits)
+  val ended = busy && waiting === 0 && index === last && index > 1
 
   spi.io.cmd.valid := busy && waiting === 0 && !ended
   spi.io.cmd.args.assignFromBits(B"1" ## index.mux(
-    0       -> B(0x01, 8 bits),
-    1       -> B(0x42, 8 bits),
+    0 -> B(0x01, 8 bits),
+    1 -> B(0x42, 8 bits),
     default -> B(0, 8 bits)
   ).reversed)
-  io.pins.att     := !busy
-  io.pins.sck     := spi.io.spi.sclk
-  io.pins.cmd     := spi.io.spi.mosi
+  io.pins.att := !busy
+  io.pins.sck := spi.io.spi.sclk
+  io.pins.cmd := spi.io.spi.mosi
   spi.io.spi.miso := BufferCC(io.pins.dat, init = True)
 
   when(waiting =/= 0)(waiting := waiting - 1)
   when(io.poll && !busy) {
-    busy    := True
-    index   := 0
+    busy := True
+    index := 0
     arrived := 0
     waiting := pause
   }
   when(spi.io.cmd.fire) {
-    index   := index + 1
+    index := index + 1
     waiting := pause
   }
   when(spi.io.rsp.valid) {
     answer(arrived.resized) := spi.io.rsp.payload.reversed
-    arrived                 := arrived + 1
+    arrived := arrived + 1
   }
 
-  val gone  = sticks && answer.drop(5).map(_.andR).andR
+  val gone = sticks && answer.drop(5).map(_.andR).andR
   val whole = (sticks || id === ConsolePad.Digital) && answer(2) === ConsolePad.Ready && !gone
   val state = Reg(PadState())
   state.connected init False
@@ -89,22 +89,22 @@ case class ConsolePad(clockHz: Long, sckHz: Int = 83333) extends Component {
     busy := False
     state.rest()
     when(whole) {
-      state.connected                                        := True
+      state.connected := True
       for ((button, i) <- state.buttons.zipWithIndex) button := !answer(3 + i / 8)(i % 8)
       when(sticks) { for ((stick, i) <- state.sticks.zipWithIndex) stick := answer(5 + i).asUInt }
     }
   }
   io.state := state
-  io.done  := RegNext(ended) init False
+  io.done := RegNext(ended) init False
 }
 
 object ConsolePad {
-  val Digital  = 0x41
+  val Digital = 0x41
   val Analogue = 0x73
-  val Ready    = 0x5a
+  val Ready = 0x5a
 
   val DigitalBytes = 5
-  val Bytes        = 9
+  val Bytes = 9
 
   /** Before each byte, for the pad's processor. */
   val PauseMicros = 20

@@ -10,9 +10,9 @@ import spinal.core._
 case class PadState() extends Bundle {
   val connected = Bool()
   // in the order of the wire, first bit first
-  val select, l3, r3, start, up, right, down, left    = Bool()
+  val select, l3, r3, start, up, right, down, left = Bool()
   val l2, r2, l1, r1, triangle, circle, cross, square = Bool()
-  val rightX, rightY, leftX, leftY                    = UInt(8 bits)
+  val rightX, rightY, leftX, leftY = UInt(8 bits)
 
   def buttons: Seq[Bool] =
     Seq(select, l3, r3, start, up, right, down, left, l2, r2, l1, r1, triangle, circle, cross, square)

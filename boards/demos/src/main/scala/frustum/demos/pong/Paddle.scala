@@ -6,8 +6,8 @@ import spinal.core._
 case class Paddle() extends Component {
   val io = new Bundle {
     val restart, move = in Bool ()
-    val buttons       = in(PongButtons())
-    val x, y          = out SInt (12 bits)
+    val buttons = in(PongButtons())
+    val x, y = out SInt (12 bits)
   }
   private def axis(less: Bool, more: Bool, limit: Int) = {
     val at = Reg(SInt(12 bits)) init 0

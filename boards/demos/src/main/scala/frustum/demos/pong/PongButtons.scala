@@ -5,5 +5,5 @@ import spinal.core._
 /** Four directions; opposite ones cancel each other, all at once begin a new game. */
 case class PongButtons() extends Bundle {
   val up, down, left, right = Bool()
-  def restart: Bool         = up && down && left && right
+  def restart: Bool = up && down && left && right
 }

@@ -10,49 +10,49 @@ import spinal.lib._
   */
 case class PongGame() extends Component {
   val io = new Bundle {
-    val tick       = in Bool ()
-    val buttons    = in(PongButtons()) // steady during a tick
-    val puck       = out(Vec(SInt(12 bits), 3))
-    val paddleX    = out SInt (12 bits)
-    val paddleY    = out SInt (12 bits)
+    val tick = in Bool ()
+    val buttons = in(PongButtons()) // steady during a tick
+    val puck = out(Vec(SInt(12 bits), 3))
+    val paddleX = out SInt (12 bits)
+    val paddleY = out SInt (12 bits)
     val tens, ones = out UInt (4 bits) // of the score
-    val won, lost  = out Bool ()
-    val caught     = out Bool ()       // at the last tick
+    val won, lost = out Bool ()
+    val caught = out Bool () // at the last tick
   }
   val won, lost, caught = RegInit(False)
-  val tens, ones        = Reg(UInt(4 bits)) init 0
-  val restart           = io.tick && io.buttons.restart
-  val step              =
+  val tens, ones = Reg(UInt(4 bits)) init 0
+  val restart = io.tick && io.buttons.restart
+  val step =
     History(io.tick && !io.buttons.restart && !won && !lost, 0 to PongGame.TickClocks - 1, init = False)
 
   val paddle = Paddle()
   paddle.io.restart := restart
   paddle.io.buttons := io.buttons
-  paddle.io.move    := step(0)
+  paddle.io.move := step(0)
   val puck = Seq.tabulate(3)(a => PuckAxis(PuckLow(a), PuckHigh(a), PuckStart(a)))
   for (p <- puck) {
     p.io.restart := restart
-    p.io.move    := step(0)
-    p.io.bound   := step(1)
+    p.io.move := step(0)
+    p.io.bound := step(1)
   }
 
-  val atWall  = RegNextWhen(puck(2).io.atHigh, step(1)) init False
-  val off     = Vec(RegNext(puck(0).io.position - paddle.io.x), RegNext(puck(1).io.position - paddle.io.y))
-  val near    = Vec(off.map(d => RegNext(d.abs < Reach)))
+  val atWall = RegNextWhen(puck(2).io.atHigh, step(1)) init False
+  val off = Vec(RegNext(puck(0).io.position - paddle.io.x), RegNext(puck(1).io.position - paddle.io.y))
+  val near = Vec(off.map(d => RegNext(d.abs < Reach)))
   val catches = step(4) && atWall && near.andR
   for (a <- 0 to 1) {
-    puck(a).io.turn        := catches
-    puck(a).io.newSpeed    := (off(a).abs |>> 1).resized
+    puck(a).io.turn := catches
+    puck(a).io.newSpeed := (off(a).abs |>> 1).resized
     puck(a).io.newPositive := !off(a).msb
   }
-  puck(2).io.turn        := catches
-  puck(2).io.newSpeed    := puck(2).io.speed + 1
+  puck(2).io.turn := catches
+  puck(2).io.newSpeed := puck(2).io.speed + 1
   puck(2).io.newPositive := False
 
   when(io.tick)(caught := False)
   when(step(4) && atWall) {
     caught := near.andR
-    lost   := !near.andR
+    lost := !near.andR
   }
   when(catches) {
     ones := ones + 1
@@ -60,19 +60,19 @@ case class PongGame() extends Component {
     won := tens === (WinScore - 1) / 10 && ones === (WinScore - 1) % 10
   }
   when(restart) {
-    won  := False
+    won := False
     lost := False
     tens := 0
     ones := 0
   }
-  io.puck    := Vec(puck.map(_.io.position))
+  io.puck := Vec(puck.map(_.io.position))
   io.paddleX := paddle.io.x
   io.paddleY := paddle.io.y
-  io.tens    := tens
-  io.ones    := ones
-  io.won     := won
-  io.lost    := lost
-  io.caught  := caught
+  io.tens := tens
+  io.ones := ones
+  io.won := won
+  io.lost := lost
+  io.caught := caught
 }
 
 object PongGame {

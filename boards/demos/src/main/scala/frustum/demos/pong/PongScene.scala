@@ -6,7 +6,7 @@ import frustum.contract.ray.{RayCamera, RayCameraRange, RayQuad, RayRoom, RaySce
 /** The room of 3-D pong: puck and paddle, which go where [[PongRules]] let them, walls and light. */
 object PongScene {
   import PongRules._
-  val Eye   = IntVector(0, 0, -320)
+  val Eye = IntVector(0, 0, -320)
   val Light = IntVector(-120, 200, 160)
 
   /** @param pixel

@@ -8,19 +8,19 @@ import spinal.core._
 case class PuckAxis(low: Int, high: Int, start: Int) extends Component {
   val io = new Bundle {
     val restart, move, bound, turn = in Bool ()
-    val newSpeed                   = in UInt (PongRules.SpeedBits bits)
-    val newPositive                = in Bool ()
-    val position                   = out SInt (12 bits)
-    val speed                      = out UInt (PongRules.SpeedBits bits)
-    val atHigh                     = out Bool () // at the high limit or beyond it, to be looked at with `bound`
+    val newSpeed = in UInt (PongRules.SpeedBits bits)
+    val newPositive = in Bool ()
+    val position = out SInt (12 bits)
+    val speed = out UInt (PongRules.SpeedBits bits)
+    val atHigh = out Bool () // at the high limit or beyond it, to be looked at with `bound`
   }
   private val furthest = scala.math.max(high.abs, low.abs) + (1 << PongRules.SpeedBits)
   require(furthest < (1 << 11), s"puck from $low to $high leaves 12 bits")
   val position = Reg(SInt(12 bits)) init start
-  val speed    = Reg(UInt(PongRules.SpeedBits bits)) init PongRules.StartSpeed
+  val speed = Reg(UInt(PongRules.SpeedBits bits)) init PongRules.StartSpeed
   val positive = RegInit(True)
-  val over     = position > high
-  val under    = position < low
+  val over = position > high
+  val under = position < low
 
   when(io.move)(position := Mux(positive, position + speed.intoSInt, position - speed.intoSInt))
   when(io.bound) {
@@ -28,15 +28,15 @@ case class PuckAxis(low: Int, high: Int, start: Int) extends Component {
     when(under) { position := low; positive := True }
   }
   when(io.turn) {
-    speed    := io.newSpeed
+    speed := io.newSpeed
     positive := io.newPositive
   }
   when(io.restart) {
     position := start
-    speed    := PongRules.StartSpeed
+    speed := PongRules.StartSpeed
     positive := True
   }
   io.position := position
-  io.speed    := speed
-  io.atHigh   := positive && position >= high
+  io.speed := speed
+  io.atHigh := positive && position >= high
 }

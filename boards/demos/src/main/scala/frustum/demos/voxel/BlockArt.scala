@@ -173,7 +173,7 @@ object BlockArt {
     )
   )
 
-  def names: Seq[String]       = paintings.map(_.name)
+  def names: Seq[String] = paintings.map(_.name)
   def index(name: String): Int = names.indexOf(name).ensuring(_ >= 0, s"no texture '$name'")
 
   val textures: VoxelTextures = VoxelTextures(

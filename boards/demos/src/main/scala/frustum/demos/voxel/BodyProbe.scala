@@ -12,20 +12,20 @@ import spinal.lib._
   */
 case class BodyProbe(c: VoxelConfig, kinds: BlockTable) extends Component {
   val io = new Bundle {
-    val start     = in Bool ()
-    val feet      = in Vec (SInt(VoxelPose.width(c) bits), 3)
-    val read      = master(WorldReadBus(c))
+    val start = in Bool ()
+    val feet = in Vec (SInt(VoxelPose.width(c) bits), 3)
+    val read = master(WorldReadBus(c))
     val low, high = out Vec (SInt(c.blockBits bits), 3)
-    val done      = out Bool ()
-    val touches   = out Bool ()
+    val done = out Bool ()
+    val touches = out Bool ()
   }
   val low, high, at = Reg(Vec(SInt(c.blockBits bits), 3))
   val busy, touches = RegInit(False)
-  val phase         = Reg(UInt(2 bits)) // address, memory, word, next
-  val inside        = (0 to 2).map(k => !at(k).msb && (at(k) >> c.size.logs(k)) === 0).reduce(_ && _)
-  val address       = RegNext(Cat((2 to 0 by -1).map(k => at(k)(c.size.logs(k) - 1 downto 0))).asUInt)
-  val word          = RegNext(io.read.word)
-  val solid         = RegNext(inside) && word.msb &&
+  val phase = Reg(UInt(2 bits)) // address, memory, word, next
+  val inside = (0 to 2).map(k => !at(k).msb && (at(k) >> c.size.logs(k)) === 0).reduce(_ && _)
+  val address = RegNext(Cat((2 to 0 by -1).map(k => at(k)(c.size.logs(k) - 1 downto 0))).asUInt)
+  val word = RegNext(io.read.word)
+  val solid = RegNext(inside) && word.msb &&
     BlockFlags(kinds).where(_.selectable)(word(BlockTable.IdBits - 1 downto 0).asUInt)
   val over = Vec((0 to 2).map(k => at(k) === high(k)))
 
@@ -33,12 +33,12 @@ case class BodyProbe(c: VoxelConfig, kinds: BlockTable) extends Component {
   when(io.start) {
     for (k <- 0 to 2) {
       val (first, end) = VoxelRules.body(k)
-      low(k)  := block(io.feet(k), first)
+      low(k) := block(io.feet(k), first)
       high(k) := block(io.feet(k), end - 1)
-      at(k)   := block(io.feet(k), first)
+      at(k) := block(io.feet(k), first)
     }
-    busy    := True
-    phase   := 0
+    busy := True
+    phase := 0
     touches := False
   } elsewhen (busy) {
     phase := phase + 1
@@ -57,8 +57,8 @@ case class BodyProbe(c: VoxelConfig, kinds: BlockTable) extends Component {
     }
   }
   io.read.address := address
-  io.low          := low
-  io.high         := high
-  io.touches      := touches
-  io.done         := RegNext(busy && phase === 3 && over.andR && !io.start) init False
+  io.low := low
+  io.high := high
+  io.touches := touches
+  io.done := RegNext(busy && phase === 3 && over.andR && !io.start) init False
 }

@@ -21,7 +21,7 @@ final case class CameraProgram(width: Int, height: Int, focal: Double) {
 
   /** 1 / focal is `scale` / 2^scaleShift, the scale of 16 bits. */
   val scaleShift: Int = FactorBits - 2 + floor(log(focal) / log(2)).toInt
-  val scale: Int      = round(pow(2, scaleShift) / focal).toInt
+  val scale: Int = round(pow(2, scaleShift) / focal).toInt
 
   def factor(f: Factor, sines: Sine => Int): Int = f match {
     case s: Sine => sines(s)
@@ -47,14 +47,14 @@ object CameraProgram {
   sealed trait Factor
 
   /** Both a value, then of 22 fraction bits, and a factor. */
-  sealed trait Sine    extends Value with Factor
-  case object CosYaw   extends Sine
-  case object SinYaw   extends Sine
+  sealed trait Sine extends Value with Factor
+  case object CosYaw extends Sine
+  case object SinYaw extends Sine
   case object CosPitch extends Sine
   case object SinPitch extends Sine
-  case object Scale    extends Factor
-  case object Columns  extends Factor
-  case object Rows     extends Factor
+  case object Scale extends Factor
+  case object Columns extends Factor
+  case object Rows extends Factor
 
   /** A component of the camera. */
   final case class Part(vector: Int, axis: Int) extends Value

@@ -27,16 +27,16 @@ case class CompactVoxelConsole(
     fast: Int = 1
 ) extends Component {
   val io = new Bundle {
-    val uart    = in Bool ()
+    val uart = in Bool ()
     val display = out(DisplayPins())
     val refused = out UInt (8 bits) // commands of the host
   }
   private val clockHz = ClockDomain.current.frequency.getValue.toLong
-  val screen          = WholeScreen(c.width, c.height)
-  val uart            = UartCtrl(UartCtrlInitConfig(baud, 7, UartParityType.NONE, UartStopType.ONE), readonly = true)
-  val host            = CompactHost(c, silence = (clockHz * VoxelHostCommand.SilenceMicros / 1000000).toInt)
-  val pipeline        = CompactVoxelPipeline(c, assets, camera, tech)
-  val display         = SpiDisplay(screen, panel, clockHz, clocksPerBit, fast, tech)
+  val screen = WholeScreen(c.width, c.height)
+  val uart = UartCtrl(UartCtrlInitConfig(baud, 7, UartParityType.NONE, UartStopType.ONE), readonly = true)
+  val host = CompactHost(c, silence = (clockHz * VoxelHostCommand.SilenceMicros / 1000000).toInt)
+  val pipeline = CompactVoxelPipeline(c, assets, camera, tech)
+  val display = SpiDisplay(screen, panel, clockHz, clocksPerBit, fast, tech)
 
   /** The receiver looks eight times a bit. */
   val looks = clockHz.toDouble / baud / 8
@@ -49,13 +49,13 @@ case class CompactVoxelConsole(
   host.io.edit >> pipeline.io.edit
   host.io.camera >> pipeline.io.camera
   pipeline.io.commit := host.io.commit
-  pipeline.io.start  := !pipeline.io.edit.valid && !pipeline.io.pending
+  pipeline.io.start := !pipeline.io.edit.valid && !pipeline.io.pending
 
   /** Whether the face in the middle is highlighted: with the newest camera, and with the one that is drawn with. */
   val highlight = new Area {
     val newest, shown = RegInit(True)
 
-    when(host.io.commit)(newest                        := host.io.highlight)
+    when(host.io.commit)(newest := host.io.highlight)
     when(pipeline.io.start && !pipeline.io.busy)(shown := newest)
     pipeline.io.highlight := shown
   }
@@ -64,7 +64,7 @@ case class CompactVoxelConsole(
 
   /** Pixels on their way to the display: the first of each frame begins its window. */
   val scan = new Area {
-    val left  = Reg(UInt(c.pixelBits bits)) init 0 // of the frame
+    val left = Reg(UInt(c.pixelBits bits)) init 0 // of the frame
     val first = left === 0
     when(pipeline.io.pixels.fire)(left := Mux(first, U(c.pixels - 1), left - 1))
     display.io.pixels.arbitrationFrom(pipeline.io.pixels)

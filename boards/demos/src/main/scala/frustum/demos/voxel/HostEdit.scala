@@ -7,5 +7,5 @@ import spinal.core._
 case class HostEdit(c: VoxelConfig) extends Bundle {
   val address = UInt(c.size.addressBits bits)
   val content = Bits(c.leaps.wordBits bits)
-  val byId    = Bool()
+  val byId = Bool()
 }

@@ -11,39 +11,39 @@ import spinal.lib._
   */
 case class HostFraming(bytesOf: Map[Int, Int], silence: Int) extends Component {
   val io = new Bundle {
-    val bytes   = slave(Flow(Bits(8 bits)))
-    val opcode  = out UInt (8 bits)          // of the command whose payload comes; from the clock after it
-    val begins  = out Bool ()                // with the byte of a new command's opcode
+    val bytes = slave(Flow(Bits(8 bits)))
+    val opcode = out UInt (8 bits) // of the command whose payload comes; from the clock after it
+    val begins = out Bool () // with the byte of a new command's opcode
     val payload = master(Flow(Bits(8 bits)))
-    val whole   = out Bool ()                // with the last byte, if the sum is right
-    val refuse  = in Bool ()                 // with `whole`: the payload is no good
+    val whole = out Bool () // with the last byte, if the sum is right
+    val refuse = in Bool () // with `whole`: the payload is no good
     val refused = out(RegInit(U(0, 8 bits))) // commands; stays at its end
   }
-  private val byte   = io.bytes.payload.asUInt
+  private val byte = io.bytes.payload.asUInt
   private val opcode = Reg(UInt(8 bits))
-  private val sum    = Reg(UInt(8 bits))
-  private val left   = Reg(UInt(log2Up(bytesOf.values.max + 2) bits)) init 0 // bytes to come, the last among them
-  private val quiet  = Timeout(silence)
-  private val idle   = left === 0
-  private val last   = left === 1
-  private val total  = sum + byte
+  private val sum = Reg(UInt(8 bits))
+  private val left = Reg(UInt(log2Up(bytesOf.values.max + 2) bits)) init 0 // bytes to come, the last among them
+  private val quiet = Timeout(silence)
+  private val idle = left === 0
+  private val last = left === 1
+  private val total = sum + byte
 
-  io.opcode          := opcode
-  io.begins          := io.bytes.valid && idle
-  io.payload.valid   := io.bytes.valid && !idle && !last
+  io.opcode := opcode
+  io.begins := io.bytes.valid && idle
+  io.payload.valid := io.bytes.valid && !idle && !last
   io.payload.payload := io.bytes.payload
-  io.whole           := io.bytes.valid && last && total === 0
+  io.whole := io.bytes.valid && last && total === 0
 
-  private val unknown  = io.begins && !bytesOf.keys.map(byte === _).orR
-  private val damaged  = io.bytes.valid && last && total =/= 0
+  private val unknown = io.begins && !bytesOf.keys.map(byte === _).orR
+  private val damaged = io.bytes.valid && last && total =/= 0
   private val cutShort = !io.bytes.valid && quiet && !idle
   when(io.bytes.valid) {
     quiet.clear()
-    sum  := Mux(idle, byte, total)
+    sum := Mux(idle, byte, total)
     left := left - 1
     when(idle) {
       opcode := byte
-      left   := 0
+      left := 0
       switch(byte) {
         for ((o, n) <- bytesOf.toSeq.sorted) is(o)(left := n + 1)
       }

@@ -11,7 +11,7 @@ import spinal.lib._
 /** Sines and cosines of a player's yaw and pitch. */
 case class PlayerSines() extends Bundle {
   val cosYaw, sinYaw, cosPitch, sinPitch = SInt(SineTable.Width bits)
-  def all: Seq[SInt]                     = Seq(cosYaw, sinYaw, cosPitch, sinPitch) // as CameraProgram.sines has them
+  def all: Seq[SInt] = Seq(cosYaw, sinYaw, cosPitch, sinPitch) // as CameraProgram.sines has them
 }
 
 /** Makes a camera's directions of the sines of its angles, a step of [[frustum.demos.voxel.CameraProgram]] in some twenty clocks with one multiplier that adds and
@@ -19,19 +19,19 @@ case class PlayerSines() extends Bundle {
   */
 case class PlayerCamera(c: VoxelConfig, program: CameraProgram) extends Component {
   val io = new Bundle {
-    val start  = in Bool ()
-    val sines  = in(PlayerSines())
-    val eye    = in Vec (SInt(c.blockBits + c.eyeBits bits), 3) // in blocks, eyeBits fraction bits
-    val load   = slave(Flow(CameraPort(c)))
+    val start = in Bool ()
+    val sines = in(PlayerSines())
+    val eye = in Vec (SInt(c.blockBits + c.eyeBits bits), 3) // in blocks, eyeBits fraction bits
+    val load = slave(Flow(CameraPort(c)))
     val camera = out(CameraPort(c))
-    val done   = out Bool ()
+    val done = out Bool ()
   }
-  val camera          = Reg(CameraPort(c))
+  val camera = Reg(CameraPort(c))
   private val vectors = Seq(camera.look, camera.base, camera.right, camera.down)
   io.camera := camera
 
-  private def sine(s: Sine): SInt   = io.sines.all(CameraProgram.sines.indexOf(s))
-  private def fine(s: Sine): SInt   = wide(sine(s) << VoxelCamera.DirectionBits - SineTable.FractionBits)
+  private def sine(s: Sine): SInt = io.sines.all(CameraProgram.sines.indexOf(s))
+  private def fine(s: Sine): SInt = wide(sine(s) << VoxelCamera.DirectionBits - SineTable.FractionBits)
   private def value(v: Value): SInt = v match {
     case s: Sine => fine(s)
     case p: Part => vectors(p.vector).axes(p.axis)
@@ -42,11 +42,11 @@ case class PlayerCamera(c: VoxelConfig, program: CameraProgram) extends Componen
   }
 
   /** Which step is made; the last of the clocks that one takes has `added`. */
-  val step     = Reg(UInt(log2Up(steps.length) bits)) init 0
-  val last     = step === steps.length - 1
-  val added    = False
-  val begin    = RegNext(io.start || added && !last) init False
-  when(added)(step    := step + 1)
+  val step = Reg(UInt(log2Up(steps.length) bits)) init 0
+  val last = step === steps.length - 1
+  val added = False
+  val begin = RegNext(io.start || added && !last) init False
+  when(added)(step := step + 1)
   when(io.start)(step := 0)
 
   /** What a step has of one kind: a choice among those that occur. */
@@ -57,13 +57,15 @@ case class PlayerCamera(c: VoxelConfig, program: CameraProgram) extends Componen
   private def wide(v: SInt) = v.resize(VoxelCamera.DirectionWidth)
 
   val multiplier = SerialMultiplier(VoxelCamera.DirectionWidth, FactorBits)
-  multiplier.io.a     := RegNext(choice(_.value)(value))
-  multiplier.io.b     := RegNext(choice(_.factor)(number))
+  multiplier.io.a := RegNext(choice(_.value)(value))
+  multiplier.io.b := RegNext(choice(_.factor)(number))
   multiplier.io.start := RegNext(begin) init False
 
-  val moved   = RegNext(choice(s => program.shift(s.factor))(n => (multiplier.io.product >> n - 1).resize(VoxelCamera.DirectionWidth + 1)))
+  val moved = RegNext(choice(s => program.shift(s.factor))(n =>
+    (multiplier.io.product >> n - 1).resize(VoxelCamera.DirectionWidth + 1)
+  ))
   val product = RegNext((moved + 1) >> 1)
-  val from    = RegNext(choice(_.start)(_.fold(S(0, VoxelCamera.DirectionWidth bits))(value)))
+  val from = RegNext(choice(_.start)(_.fold(S(0, VoxelCamera.DirectionWidth bits))(value)))
   added setWhen Delay(multiplier.io.done, 2, init = False)
 
   val result = from + Mux(choice(_.minus)(Bool(_)), -wide(product), wide(product))
@@ -72,8 +74,8 @@ case class PlayerCamera(c: VoxelConfig, program: CameraProgram) extends Componen
   )(port := result)
   io.done := RegNext(added && last) init False
   when(io.start) {
-    camera.eye           := io.eye
-    camera.look.axes(2)  := fine(SinPitch)
+    camera.eye := io.eye
+    camera.look.axes(2) := fine(SinPitch)
     camera.right.axes(2) := 0
   }
   when(io.load.valid)(camera := io.load.payload)

@@ -5,9 +5,9 @@ import spinal.core._
 
 /** What a player of a voxel world holds down. */
 case class VoxelButtons() extends Bundle {
-  val forward, back, left, right, up, down  = Bool()
+  val forward, back, left, right, up, down = Bool()
   val turnLeft, turnRight, lookUp, lookDown = Bool()
-  val next, previous, place, destroy        = Bool()
+  val next, previous, place, destroy = Bool()
 }
 
 object VoxelButtons {
@@ -19,23 +19,23 @@ object VoxelButtons {
     * one looks; without sticks the cross of arrows walks and turns, triangle and square look up and down.
     */
   def of(pad: PadState): VoxelButtons = {
-    val b                 = VoxelButtons()
-    def low(stick: UInt)  = stick < 128 - Tilt
+    val b = VoxelButtons()
+    def low(stick: UInt) = stick < 128 - Tilt
     def high(stick: UInt) = stick > 128 + Tilt
-    b.forward   := pad.up || low(pad.leftY)
-    b.back      := pad.down || high(pad.leftY)
-    b.left      := low(pad.leftX)
-    b.right     := high(pad.leftX)
-    b.turnLeft  := pad.left || low(pad.rightX)
+    b.forward := pad.up || low(pad.leftY)
+    b.back := pad.down || high(pad.leftY)
+    b.left := low(pad.leftX)
+    b.right := high(pad.leftX)
+    b.turnLeft := pad.left || low(pad.rightX)
     b.turnRight := pad.right || high(pad.rightX)
-    b.lookUp    := pad.triangle || low(pad.rightY)
-    b.lookDown  := pad.square || high(pad.rightY)
-    b.up        := pad.cross
-    b.down      := pad.circle
-    b.next      := pad.r1
-    b.previous  := pad.l1
-    b.place     := pad.l2
-    b.destroy   := pad.r2
+    b.lookUp := pad.triangle || low(pad.rightY)
+    b.lookDown := pad.square || high(pad.rightY)
+    b.up := pad.cross
+    b.down := pad.circle
+    b.next := pad.r1
+    b.previous := pad.l1
+    b.place := pad.l2
+    b.destroy := pad.r2
     b
   }
 }

@@ -21,7 +21,10 @@ final case class VoxelConsoleConfig(
     baud: Int = 500000
 ) {
   require(rules.size == voxel.size, s"rules for a world of ${rules.size} in one of ${voxel.size}")
-  require(rules.items <= assets.table.blocks.length, s"${rules.items} items of ${assets.table.blocks.length} kinds of block")
+  require(
+    rules.items <= assets.table.blocks.length,
+    s"${rules.items} items of ${assets.table.blocks.length} kinds of block"
+  )
 
   /** A picture's pixel is 2^scale of the monitor's wide and high. */
   val scale: Int = (1 to 3)
@@ -34,10 +37,10 @@ final case class VoxelConsoleConfig(
   val format: ColorFormat = color.format
 
   /** Of the world and of the two pictures. */
-  val memoryBits: Int        = voxel.size.blocks * voxel.leaps.wordBits + 2 * voxel.pixels * format.bits
-  val start: VoxelStart      = VoxelStart.middle(voxel.size)
+  val memoryBits: Int = voxel.size.blocks * voxel.leaps.wordBits + 2 * voxel.pixels * format.bits
+  val start: VoxelStart = VoxelStart.middle(voxel.size)
   val program: CameraProgram = CameraProgram(voxel.width, voxel.height, focal)
-  val readout: VoxelReadout  = VoxelReadout(mode, assets.table)
+  val readout: VoxelReadout = VoxelReadout(mode, assets.table)
 }
 
 object VoxelConsoleConfig {

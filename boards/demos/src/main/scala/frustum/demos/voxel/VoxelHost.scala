@@ -14,22 +14,22 @@ import spinal.lib._
 case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Component {
   import VoxelHostCommand._
   val io = new Bundle {
-    val bytes     = slave(Stream(Bits(8 bits)))
-    val edit      = master(Stream(HostEdit(c)))
-    val camera    = master(Flow(CameraPort(c)))
-    val highlight = out Bool ()       // with the camera
-    val pose      = master(Flow(VoxelPose(c)))
-    val refused   = out UInt (8 bits) // stays at its end
+    val bytes = slave(Stream(Bits(8 bits)))
+    val edit = master(Stream(HostEdit(c)))
+    val camera = master(Flow(CameraPort(c)))
+    val highlight = out Bool () // with the camera
+    val pose = master(Flow(VoxelPose(c)))
+    val refused = out UInt (8 bits) // stays at its end
   }
-  val framing   = HostFraming(bytesOf, silence)
-  val opcode    = framing.io.opcode
-  val payload   = Reg(Bits(8 * MostBytes bits))
-  val edit      = Reg(HostEdit(c))
+  val framing = HostFraming(bytesOf, silence)
+  val opcode = framing.io.opcode
+  val payload = Reg(Bits(8 * MostBytes bits))
+  val edit = Reg(HostEdit(c))
   val editValid = RegInit(False) clearWhen io.edit.ready
-  io.edit.valid   := editValid
+  io.edit.valid := editValid
   io.edit.payload := edit
-  io.bytes.ready  := !editValid
-  io.refused      := framing.io.refused
+  io.bytes.ready := !editValid
+  io.refused := framing.io.refused
   framing.io.bytes << io.bytes.toFlowFire
   framing.io.refuse := False
   when(framing.io.payload.valid)(payload := payload(payload.high - 8 downto 0) ## framing.io.payload.payload)
@@ -41,37 +41,37 @@ case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Co
     camera.eye.toSeq ++ Seq(camera.look, camera.base, camera.right, camera.down).flatMap(_.axes)
   for ((field, n) <- fields.zipWithIndex) field := number(n, 15).resized
   val cameraAllowed = RegNext((0 to 2).map(n => VoxelHost.eyeFits(c, number(n, 15))).reduce(_ && _))
-  val cameraDone    = False
+  val cameraDone = False
   io.camera.valid := RegNext(cameraDone) init False // the payload stays until the second byte that comes
-  io.highlight    := opcode === Highlight
+  io.highlight := opcode === Highlight
 
-  private val pose    = Vec((0 until 5).map(number(_, 5)))
+  private val pose = Vec((0 until 5).map(number(_, 5)))
   private val allowed = (0 to 2).map(rules.range) :+ ((0, VoxelRules.Turn - 1)) :+
     ((-VoxelRules.MostPitch, VoxelRules.MostPitch))
   val poseAllowed = RegNext(Vec(pose.zip(allowed).map { case (v, (low, high)) => v >= low && v <= high }).andR)
   for (k <- 0 to 2) io.pose.feet(k) := pose(k).resized
-  io.pose.yaw                       := pose(3).asUInt.resized
-  io.pose.pitch                     := pose(4).resized
+  io.pose.yaw := pose(3).asUInt.resized
+  io.pose.pitch := pose(4).resized
   val poseDone = False
   io.pose.valid := RegNext(poseDone) init False
 
   val (address, content) = (number(0, 2).asUInt, number(1, 2).asUInt)
-  val editAllowed        = RegNext(
+  val editAllowed = RegNext(
     address < c.size.blocks && Mux(opcode === Block, content <= rules.items, (content >> c.leaps.wordBits) === 0)
   )
 
   when(framing.io.whole) {
     when(opcode === Player) {
-      poseDone          := poseAllowed
+      poseDone := poseAllowed
       framing.io.refuse := !poseAllowed
     } elsewhen (opcode === Camera || opcode === Highlight) {
-      cameraDone        := cameraAllowed
+      cameraDone := cameraAllowed
       framing.io.refuse := !cameraAllowed
     } otherwise {
-      edit.address      := address.resized
-      edit.content      := content.asBits.resized
-      edit.byId         := opcode === Block
-      editValid         := editAllowed
+      edit.address := address.resized
+      edit.content := content.asBits.resized
+      edit.byId := opcode === Block
+      editValid := editAllowed
       framing.io.refuse := !editAllowed
     }
   }
@@ -80,5 +80,6 @@ case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Co
 object VoxelHost {
 
   /** Whether a component of an eye, as a host sends it, is not cut by the width of an eye. */
-  def eyeFits(c: VoxelConfig, number: SInt): Bool = number === number.resize(c.blockBits + c.eyeBits).resize(number.getWidth)
+  def eyeFits(c: VoxelConfig, number: SInt): Bool =
+    number === number.resize(c.blockBits + c.eyeBits).resize(number.getWidth)
 }

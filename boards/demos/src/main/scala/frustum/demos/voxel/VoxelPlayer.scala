@@ -25,43 +25,44 @@ case class VoxelPlayer(
 ) extends Component {
   require(rules.size == c.size, s"rules for a world of ${rules.size} in one of ${c.size}")
   val io = new Bundle {
-    val frame     = in Bool ()
-    val buttons   = in(VoxelButtons())
+    val frame = in Bool ()
+    val buttons = in(VoxelButtons())
     val pointedAt = in(PointedAt(c))
-    val place     = slave(Flow(VoxelPose(c)))
-    val load      = slave(Flow(CameraPort(c)))
-    val read      = master(WorldReadBus(c))
-    val edit      = master(Stream(BlockEdit(c)))
-    val pose      = out(VoxelPose(c))
-    val rise      = out SInt (10 bits) // 1/256 block a picture, up is positive
-    val item      = out UInt (BlockTable.IdBits bits)
-    val refused   = out UInt (RefuseBits bits)
-    val camera    = out(CameraPort(c))
-    val done      = out Bool ()
+    val place = slave(Flow(VoxelPose(c)))
+    val load = slave(Flow(CameraPort(c)))
+    val read = master(WorldReadBus(c))
+    val edit = master(Stream(BlockEdit(c)))
+    val pose = out(VoxelPose(c))
+    val rise = out SInt (10 bits) // 1/256 block a picture, up is positive
+    val item = out UInt (BlockTable.IdBits bits)
+    val refused = out UInt (RefuseBits bits)
+    val camera = out(CameraPort(c))
+    val done = out Bool ()
   }
   private val width = VoxelPose.width(c)
-  val pose          = Reg(VoxelPose(c))
+  val pose = Reg(VoxelPose(c))
   for ((f, at) <- pose.feet.zip(start.feet.axes)) f.init(at)
   pose.yaw.init(start.yaw)
   pose.pitch.init(0)
-  val rise    = Reg(SInt(10 bits)) init 0
-  val item    = Reg(UInt(BlockTable.IdBits bits)) init 1
+  val rise = Reg(SInt(10 bits)) init 0
+  val item = Reg(UInt(BlockTable.IdBits bits)) init 1
   val refused = Reg(UInt(RefuseBits bits)) init 0
-  val held    = Reg(VoxelButtons())
+  val held = Reg(VoxelButtons())
   held.flatten.foreach { case b: Bool => b.init(False) }
   val buttons = RegNextWhen(io.buttons, io.frame)
-  io.pose    := pose
-  io.rise    := rise
-  io.item    := item
+  io.pose := pose
+  io.rise := rise
+  io.item := item
   io.refused := refused
 
   /** One state after the other; a leg is the move along an axis, the third looks what is below, the fourth goes up or down. */
   object State extends SpinalEnum {
     val idle, aim, decide, edit, turn, sines, stuck, leg, settle, tries, probe, camera, done = newElement()
   }
-  val state                                       = RegInit(State.idle)
-  val leg                                         = Reg(UInt(2 bits))
-  private def both(plus: Bool, minus: Bool): SInt = (plus && !minus).asUInt.resize(2).asSInt - (minus && !plus).asUInt.resize(2).asSInt
+  val state = RegInit(State.idle)
+  val leg = Reg(UInt(2 bits))
+  private def both(plus: Bool, minus: Bool): SInt =
+    (plus && !minus).asUInt.resize(2).asSInt - (minus && !plus).asUInt.resize(2).asSInt
 
   val probe = BodyProbe(c, kinds)
   probe.io.read <> io.read
@@ -71,27 +72,28 @@ case class VoxelPlayer(
 
   /** The block that is placed lies before the face: a ray that goes up meets the bottom. */
   val hand = new Area {
-    val at     = io.pointedAt
-    val axis   = at.face >> 1
-    val place  = buttons.place && !held.place
+    val at = io.pointedAt
+    val axis = at.face >> 1
+    val place = buttons.place && !held.place
     val target = Vec((0 to 2).map { k =>
       val block = at.block(k).resize(c.size.logs(k) + 2).asSInt
       Mux(axis === k, Mux(at.face.lsb, block + 1, block - 1), block).resize(c.blockBits)
     })
     val outside = (0 to 2).map(k => target(k).msb || (target(k) >> c.size.logs(k)) =/= 0).reduce(_ || _)
-    val within  = (0 to 2).map(k => target(k) >= probe.io.low(k) && target(k) <= probe.io.high(k)).reduce(_ && _)
+    val within = (0 to 2).map(k => target(k) >= probe.io.low(k) && target(k) <= probe.io.high(k)).reduce(_ && _)
     val destroy = buttons.destroy && !held.destroy
     val refuses = RegNext(outside || within)
-    val block   = Vec((0 to 2).map(k => Mux(destroy, at.block(k).resize(c.size.logs(k)), target(k).asUInt.resize(c.size.logs(k)))))
+    val block =
+      Vec((0 to 2).map(k => Mux(destroy, at.block(k).resize(c.size.logs(k)), target(k).asUInt.resize(c.size.logs(k)))))
   }
-  io.edit.valid   := state === State.edit
+  io.edit.valid := state === State.edit
   io.edit.address := RegNext(Cat((2 to 0 by -1).map(hand.block(_))).asUInt)
-  io.edit.id      := Mux(hand.destroy, U(0), item)
+  io.edit.id := Mux(hand.destroy, U(0), item)
 
   val trig = new Area {
     val lookup = SineLookup()
-    val sines  = Reg(PlayerSines())
-    val count  = Reg(UInt(3 bits))
+    val sines = Reg(PlayerSines())
+    val count = Reg(UInt(3 bits))
     lookup.io.angle := Mux(count(1), pose.pitch.asUInt, pose.yaw) + Mux(count(0), U(0), U(Turn / 4, AngleBits bits))
     when(state =/= State.sines)(count := 0) otherwise {
       count := count + 1
@@ -100,43 +102,45 @@ case class VoxelPlayer(
     val over = count === 7
 
     /** Rounded to 8 fraction bits. */
-    private def coarse(s: SInt): SInt    = RegNext((s + (1 << SineTable.FractionBits - 9)) >> SineTable.FractionBits - 8)
-    private def times(by: SInt, s: SInt) = by.mux(S(1, 2 bits) -> s.resize(11), S(-1, 2 bits) -> -s.resize(11), default -> S(0, 11 bits))
-    val (ahead, aside)                   = (both(buttons.forward, buttons.back), both(buttons.right, buttons.left))
-    val (cos, sin)                       = (coarse(sines.cosYaw), coarse(sines.sinYaw))
-    val sums  = Vec(RegNext(times(ahead, cos) +^ times(aside, sin)), RegNext(times(ahead, sin) -^ times(aside, cos)))
+    private def coarse(s: SInt): SInt = RegNext((s + (1 << SineTable.FractionBits - 9)) >> SineTable.FractionBits - 8)
+    private def times(by: SInt, s: SInt) =
+      by.mux(S(1, 2 bits) -> s.resize(11), S(-1, 2 bits) -> -s.resize(11), default -> S(0, 11 bits))
+    val (ahead, aside) = (both(buttons.forward, buttons.back), both(buttons.right, buttons.left))
+    val (cos, sin) = (coarse(sines.cosYaw), coarse(sines.sinYaw))
+    val sums = Vec(RegNext(times(ahead, cos) +^ times(aside, sin)), RegNext(times(ahead, sin) -^ times(aside, cos)))
     val steps = Vec(sums.map(s => RegNext((s * S(WalkStep, 7 bits)) >> 8).resize(width)))
   }
   val camera = PlayerCamera(c, program)
   camera.io.load << io.load
   camera.io.sines := trig.sines
   camera.io.start := False
-  io.camera       := camera.io.camera
+  io.camera := camera.io.camera
   for (k <- 0 to 2) {
     val eye = if (k == 2) pose.feet(k) + EyeHeight else pose.feet(k)
     camera.io.eye(k) := (eye >> 8 - c.eyeBits).resize(c.blockBits + c.eyeBits)
   }
 
   /** Whether a body at `to` touches nothing, or the player stuck in a block already. */
-  val stuck   = Reg(Bool())
-  val stands  = Reg(Bool())
+  val stuck = Reg(Bool())
+  val stands = Reg(Bool())
   val inRange = RegNext((0 to 2).map { k =>
     val (low, high) = rules.range(k); to(k) >= low && to(k) <= high
   }.reduce(_ && _))
   val lift = {
     val fall = rise - Gravity
     if (!rules.gravity) both(buttons.up, buttons.down).resize(10) * S(WalkStep, 7 bits)
-    else Mux(stands && buttons.up, S(JumpSpeed), Mux(stands && rise <= 0, S(0), Mux(fall < -MostFall, S(-MostFall), fall)))
+    else
+      Mux(stands && buttons.up, S(JumpSpeed), Mux(stands && rise <= 0, S(0), Mux(fall < -MostFall, S(-MostFall), fall)))
   }.resize(10)
   val change = leg.mux(0 -> trig.steps(0), 1 -> trig.steps(1), 2 -> S(-1, width bits), 3 -> lift.resize(width))
 
   private def arrive(free: Bool): Unit = {
-    state            := State.leg
-    leg              := leg + 1
-    when(leg === 2)(stands            := !free)
+    state := State.leg
+    leg := leg + 1
+    when(leg === 2)(stands := !free)
     when(leg =/= 2 && free)(pose.feet := to)
     when(leg === 3) {
-      rise  := Mux(free, lift, S(0))
+      rise := Mux(free, lift, S(0))
       state := State.camera
       when(!free && lift < 0)(pose.feet(2)(7 downto 0) := 0)
     }
@@ -147,20 +151,20 @@ case class VoxelPlayer(
       to := pose.feet
       when(io.frame) {
         probe.io.start := True
-        state          := State.aim
+        state := State.aim
       }
     }
     is(State.aim)(when(probe.io.done)(state := State.decide))
     is(State.decide) {
       state := State.turn
       when(io.pointedAt.valid) {
-        when(hand.destroy || hand.place && !hand.refuses)(state                    := State.edit)
+        when(hand.destroy || hand.place && !hand.refuses)(state := State.edit)
         when(!hand.destroy && hand.place && hand.refuses && !refused.andR)(refused := refused + 1)
       }
     }
     is(State.edit)(when(io.edit.ready)(state := State.turn))
     is(State.turn) {
-      held     := buttons
+      held := buttons
       pose.yaw := pose.yaw + (both(buttons.turnLeft, buttons.turnRight) * S(TurnStep, 5 bits)).resize(AngleBits).asUInt
       val pitch = pose.pitch + (both(buttons.lookUp, buttons.lookDown) * S(LookStep, 5 bits)).resize(AngleBits)
       pose.pitch := Mux(pitch > MostPitch, S(MostPitch), Mux(pitch < -MostPitch, S(-MostPitch), pitch)).resized
@@ -171,11 +175,11 @@ case class VoxelPlayer(
     }
     is(State.sines)(when(trig.over) {
       probe.io.start := True
-      state          := State.stuck
+      state := State.stuck
     })
     is(State.stuck)(when(probe.io.done) {
       stuck := probe.io.touches
-      leg   := 0
+      leg := 0
       state := State.leg
     })
     is(State.leg) {
@@ -186,12 +190,14 @@ case class VoxelPlayer(
     is(State.settle)(state := State.tries)
     is(State.tries) {
       state := State.probe
-      when(!inRange)(arrive(False)) elsewhen (Bool(!rules.collision) || stuck)(arrive(True)) otherwise (probe.io.start := True)
+      when(
+        !inRange
+      )(arrive(False)) elsewhen (Bool(!rules.collision) || stuck)(arrive(True)) otherwise (probe.io.start := True)
     }
     is(State.probe)(when(probe.io.done)(arrive(!probe.io.touches)))
     is(State.camera) {
       camera.io.start := True
-      state           := State.done
+      state := State.done
     }
     is(State.done)(when(camera.io.done)(state := State.idle))
   }

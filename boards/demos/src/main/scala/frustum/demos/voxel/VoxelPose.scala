@@ -5,8 +5,8 @@ import spinal.core._
 
 /** Where a player stands and looks: middle of the soles in 1/256 block, angles in 1/1024 turn. */
 case class VoxelPose(c: VoxelConfig) extends Bundle {
-  val feet  = Vec(SInt(VoxelPose.width(c) bits), 3)
-  val yaw   = UInt(VoxelRules.AngleBits bits)
+  val feet = Vec(SInt(VoxelPose.width(c) bits), 3)
+  val yaw = UInt(VoxelRules.AngleBits bits)
   val pitch = SInt(VoxelRules.AngleBits bits)
 }
 

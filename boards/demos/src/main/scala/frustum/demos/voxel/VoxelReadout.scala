@@ -11,12 +11,13 @@ final case class VoxelReadout(mode: VideoMode, table: BlockTable) {
   private val letters = table.blocks.map(_.name.length).max.max(VoxelReadout.Digits).min(mode.width / Font.Cell)
 
   /** The longest name takes at most half of the width, where the least letters allow. */
-  private val scale   = (0 to 3).findLast(s => mode.width >= 2 * letters * (Font.Cell << s)).getOrElse(0)
+  private val scale = (0 to 3).findLast(s => mode.width >= 2 * letters * (Font.Cell << s)).getOrElse(0)
   val rate: TextField = TextField(0, 0, VoxelReadout.Digits, scale)
   val item: TextField = TextField(0, 1, letters, scale)
 
   /** A name in the font's letters. */
-  def name(id: Int): String = table(id).name.toUpperCase.take(letters).padTo(letters, ' ').map(c => if (Font.has(c)) c else ' ')
+  def name(id: Int): String =
+    table(id).name.toUpperCase.take(letters).padTo(letters, ' ').map(c => if (Font.has(c)) c else ' ')
 }
 
 object VoxelReadout {

@@ -21,24 +21,24 @@ final case class VoxelRules(
   /** Least and greatest of the feet along an axis: the eye stays where the hardware takes it, the feet on or above the world's floor. */
   def range(axis: Int): (Int, Int) = {
     val around = (VoxelConfig.Around - 2) << 8
-    val end    = (size.axes(axis) << 8) + around
+    val end = (size.axes(axis) << 8) + around
     if (axis == 2) (0, end - EyeHeight) else (-around, end)
   }
 }
 
 object VoxelRules {
-  val AngleBits  = SineTable.AngleBits
-  val Turn: Int  = SineTable.Turn
-  val MostPitch  = 248 // 87 degrees
-  val TurnStep   = 10
-  val LookStep   = 8
-  val WalkStep   = 38
-  val Gravity    = 6
-  val JumpSpeed  = 60
-  val MostFall   = 200
-  val EyeHeight  = 410
-  val Height     = 461
-  val HalfWidth  = 77
+  val AngleBits = SineTable.AngleBits
+  val Turn: Int = SineTable.Turn
+  val MostPitch = 248 // 87 degrees
+  val TurnStep = 10
+  val LookStep = 8
+  val WalkStep = 38
+  val Gravity = 6
+  val JumpSpeed = 60
+  val MostFall = 200
+  val EyeHeight = 410
+  val Height = 461
+  val HalfWidth = 77
   val RefuseBits = 8
 
   /** A count of refusals stays at its end. */

@@ -16,8 +16,8 @@ final class Clipper(config: RasterConfig) {
   /** Half spaces, positive inside; each linear in the clip coordinates. */
   private type Plane = Vector4d => Double
 
-  private val near: Plane         = c => c.w + c.z
-  private val far: Plane          = c => c.w - c.z
+  private val near: Plane = c => c.w + c.z
+  private val far: Plane = c => c.w - c.z
   private val frustum: Seq[Plane] =
     Seq(near, far, c => c.w + c.x, c => c.w - c.x, c => c.w + c.y, c => c.w - c.y)
 
@@ -27,7 +27,7 @@ final class Clipper(config: RasterConfig) {
   /** x on the screen, times w, pixels. */
   private def screenX(c: Vector4d) = (c.w + c.x) * config.width / 2
   private def screenY(c: Vector4d) = (c.w - c.y) * config.height / 2
-  private val guards: Seq[Plane]   = Seq(
+  private val guards: Seq[Plane] = Seq(
     c => guardBand * c.w - screenX(c),
     c => guardBand * c.w + screenX(c),
     c => guardBand * c.w - screenY(c),
@@ -41,7 +41,7 @@ final class Clipper(config: RasterConfig) {
     if (frustum.exists(plane => triangle.forall(v => plane(v.clip) < 0))) IndexedSeq.empty
     else {
       val byNear = cut(triangle, near, v => v.clip.z = -v.clip.w)
-      val byFar  = cut(byNear, far, v => v.clip.z = v.clip.w)
+      val byFar = cut(byNear, far, v => v.clip.z = v.clip.w)
       guards.foldLeft(byFar)((polygon, plane) => cut(polygon, plane, _ => ()))
     }
 
@@ -54,7 +54,7 @@ final class Clipper(config: RasterConfig) {
     if (polygon.forall(v => plane(v.clip) >= 0)) polygon
     else
       polygon.indices.flatMap { i =>
-        val (a, b)   = (polygon(i), polygon((i + 1) % polygon.length))
+        val (a, b) = (polygon(i), polygon((i + 1) % polygon.length))
         val (da, db) = (plane(a.clip), plane(b.clip))
         // always from the inner end to the outer: both triangles of a shared edge get the very same vertex
         def crossing = {
@@ -72,7 +72,7 @@ final class Clipper(config: RasterConfig) {
 object Clipper {
 
   def guardBand(ranges: VertexRanges): Double = (ranges.maxXy - 1) / 16.0
-  val GuardBand: Double                       = guardBand(VertexRanges())
+  val GuardBand: Double = guardBand(VertexRanges())
 
   /** The point a fraction f of the way from a to b; all attributes are linear in clip space. */
   def between(a: ClipVertex, b: ClipVertex, f: Double): ClipVertex = ClipVertex(

@@ -4,21 +4,21 @@ import frustum.contract.raster.{Command, FramePass, PackedVertex, TextureUpload}
 
 /** Passes and textures as wire commands, each as full as [[Command.MaxWords]] allows. */
 object CommandEncoder {
-  private val verticesPerCommand  = (Command.MaxWords - 1) / PackedVertex.WireWords
+  private val verticesPerCommand = (Command.MaxWords - 1) / PackedVertex.WireWords
   private val trianglesPerCommand = (Command.MaxWords - 1) / 2
 
   /** Texels are addressed in units of this many. */
-  private val TexelUnit        = 16
+  private val TexelUnit = 16
   private val texelsPerCommand = (Command.MaxWords - 1) / TexelUnit * TexelUnit
 
   /** begin, states, vertices, triangles, draw: a triangle never comes before its vertices. */
   def pass(pass: FramePass): Seq[Seq[Int]] = {
-    val r     = pass.region
+    val r = pass.region
     val begin = Command.encode(
       Command.Begin,
       Seq(pass.frame & 0xffff, pass.clearColor, r.x0 << 8 | r.x1, r.y0 << 8 | r.y1)
     )
-    val states   = pass.states.zipWithIndex.map { case (s, i) => Command.encode(Command.State, i +: s.words) }
+    val states = pass.states.zipWithIndex.map { case (s, i) => Command.encode(Command.State, i +: s.words) }
     val vertices = pass.vertices.grouped(verticesPerCommand).zipWithIndex.map { case (group, i) =>
       Command.encode(Command.Vertices, i * verticesPerCommand +: group.flatMap(_.words))
     }

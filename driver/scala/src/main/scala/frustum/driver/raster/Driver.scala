@@ -38,21 +38,25 @@ object Driver {
   ): PreparedFrame = {
     options.light.foreach(Lambert.check)
     val textures = TextureMemory.allocate(scene, config)
-    val states   = StateTable(scene, textures, options)
+    val states = StateTable(scene, textures, options)
     for (state <- states.states; fault <- config.fixed.fault(state))
-      throw InputError(s"${scene.place}: $fault, which this hardware was made without; build it for the scene (./sbt fit)")
+      throw InputError(
+        s"${scene.place}: $fault, which this hardware was made without; build it for the scene (./sbt fit)"
+      )
     val clear = TextureMemory.rgb565(options.background)
     for (only <- config.clearColor if only != clear)
-      throw InputError(f"${scene.place}: the background is $clear%04x in RGB565, this hardware clears to $only%04x alone; " +
-        "build it for the scene (./sbt fit)")
-    val clipped  = clipTriangles(scene, camera, options, config, states)
-    val scaled   = scaleW(clipped)
+      throw InputError(
+        f"${scene.place}: the background is $clear%04x in RGB565, this hardware clears to $only%04x alone; " +
+          "build it for the scene (./sbt fit)"
+      )
+    val clipped = clipTriangles(scene, camera, options, config, states)
+    val scaled = scaleW(clipped)
     val viewport = new Viewport(config)
-    val drawn    = scaled.flatMap(t => place(t, states.states.indexOf(t.state), options.cullBack, viewport))
-    val regions  = new PassSplitter(config, scene.place).split(drawn.map(_._2))
-    val passes   = regions.zipWithIndex.map { case ((region, triangles), i) =>
+    val drawn = scaled.flatMap(t => place(t, states.states.indexOf(t.state), options.cullBack, viewport))
+    val regions = new PassSplitter(config, scene.place).split(drawn.map(_._2))
+    val passes = regions.zipWithIndex.map { case ((region, triangles), i) =>
       val (vertices, indexed) = share(triangles)
-      val number              = (frame * regions.length + i) & 0xffff
+      val number = (frame * regions.length + i) & 0xffff
       FramePass(number, clear, region, states.states, vertices, indexed)
     }
     PreparedFrame(config, textures.uploads, passes, drawn.map(_._1), scene.triangles.length, drawn.length)
@@ -72,19 +76,19 @@ object Driver {
       states: StateTable
   ): IndexedSeq[ClipTriangle] = {
     val centre = scene.boundingSphere._1
-    val turn   = new Matrix4d()
+    val turn = new Matrix4d()
       .translate(centre)
       .rotateY(scala.math.toRadians(options.turnDegrees))
       .translate(-centre.x, -centre.y, -centre.z)
-    val toClip  = Projection(camera, config.width.toDouble / config.height).mul(turn)
-    val shader  = new VertexShader(toClip, turn, options.light)
+    val toClip = Projection(camera, config.width.toDouble / config.height).mul(turn)
+    val shader = new VertexShader(toClip, turn, options.light)
     val clipper = new Clipper(config)
-    val shaded  = scene.triangles.zipWithIndex.map { case (t, i) =>
+    val shaded = scene.triangles.zipWithIndex.map { case (t, i) =>
       val material = scene.materials(t.material)
       (material.blend, ClipTriangle(t.vertices.map(shader(_, material)).toIndexedSeq, states(t.material), i))
     }
     val (blended, opaque) = shaded.partition(_._1)
-    val backToFront       = blended.map(_._2).sortBy(t => -depth(t, camera))
+    val backToFront = blended.map(_._2).sortBy(t => -depth(t, camera))
     (opaque.map(_._2) ++ backToFront).flatMap { t =>
       val polygon = clipper.clip(t.v)
       (1 until polygon.length - 1)
@@ -108,7 +112,7 @@ object Driver {
     t.v.map(v => if (camera.orthoHeight.isDefined) v.clip.z else v.clip.w).sum
 
   private def scaleW(triangles: IndexedSeq[ClipTriangle]): IndexedSeq[ClipTriangle] = {
-    val w     = triangles.iterator.flatMap(_.v).map(_.clip.w).toSeq
+    val w = triangles.iterator.flatMap(_.v).map(_.clip.w).toSeq
     val scale = if (w.isEmpty) 1.0 else WScale.factor(w.min, w.max)
     if (scale == 1) triangles
     else triangles.map(t => t.copy(v = t.v.map(v => v.copy(clip = new Vector4d(v.clip).mul(scale)))))
@@ -122,8 +126,8 @@ object Driver {
       viewport: Viewport
   ): Option[(ClipTriangle, PackedCorners)] = {
     def corners(t: ClipTriangle, offset: (Int, Int)) = t.v.map(viewport.pack(_, offset))
-    val area                                         = { val p = corners(t, (0, 0)); viewport.area(p(0), p(1), p(2)) }
-    val turned                                       = if (area < 0) t.copy(v = IndexedSeq(t.v(0), t.v(2), t.v(1))) else t
+    val area = { val p = corners(t, (0, 0)); viewport.area(p(0), p(1), p(2)) }
+    val turned = if (area < 0) t.copy(v = IndexedSeq(t.v(0), t.v(2), t.v(1))) else t
     for {
       pixels <- viewport.pixels(corners(t, (0, 0)))
       if area > 0 || (area < 0 && !cullBack)
@@ -133,7 +137,9 @@ object Driver {
         .headOption
         .foreach(fault => throw new IllegalStateException(s"driver: a vertex's $fault"))
       reaches(turned, p, viewport.ranges).foreach(fault =>
-        throw InputError(s"a triangle: $fault, beyond what this hardware was made for; build it for the scene (./sbt fit)")
+        throw InputError(
+          s"a triangle: $fault, beyond what this hardware was made for; build it for the scene (./sbt fit)"
+        )
       )
       (turned, PackedCorners(state, p(0), p(1), p(2), pixels))
     }
@@ -151,9 +157,9 @@ object Driver {
   private def share(
       triangles: IndexedSeq[PackedCorners]
   ): (IndexedSeq[PackedVertex], IndexedSeq[PackedTriangle]) = {
-    val index               = mutable.LinkedHashMap.empty[PackedVertex, Int]
+    val index = mutable.LinkedHashMap.empty[PackedVertex, Int]
     def of(v: PackedVertex) = index.getOrElseUpdate(v, index.size)
-    val indexed             = triangles.map(t => PackedTriangle(t.state, of(t.v0), of(t.v1), of(t.v2)))
+    val indexed = triangles.map(t => PackedTriangle(t.state, of(t.v0), of(t.v1), of(t.v2)))
     (index.keys.toIndexedSeq, indexed)
   }
 }

@@ -8,5 +8,5 @@ final class FileTransport(file: Path) extends Transport with Closeable {
   private val out = new BufferedOutputStream(Files.newOutputStream(file))
 
   override def send(bytes: Seq[Int]): Unit = bytes.foreach(out.write)
-  override def close(): Unit               = out.close()
+  override def close(): Unit = out.close()
 }

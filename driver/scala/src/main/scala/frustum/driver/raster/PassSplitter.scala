@@ -30,7 +30,7 @@ final class PassSplitter(config: RasterConfig, scene: String) {
       region: TileRegion,
       all: IndexedSeq[PackedCorners]
   ): Seq[(TileRegion, IndexedSeq[PackedCorners])] = {
-    val here     = all.filter(touches(region, _))
+    val here = all.filter(touches(region, _))
     val vertices = here.iterator.flatMap(_.vertices).toSet.size
     if (here.length <= config.maxTriangles && vertices <= config.maxVertices) Seq(region -> here)
     else

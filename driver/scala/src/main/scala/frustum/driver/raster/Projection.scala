@@ -25,7 +25,7 @@ object Projection {
 
   private def check(c: Camera): Unit = {
     def refuse(condition: Boolean, message: => String): Unit = if (condition) throw InputError(message)
-    def show(v: Vector3d)                                    = s"${v.x},${v.y},${v.z}"
+    def show(v: Vector3d) = s"${v.x},${v.y},${v.z}"
     for ((name, v) <- Seq("eye" -> c.eye, "at" -> c.at, "up" -> c.up)) {
       refuse(!v.isFinite, s"camera: $name ${show(v)} is not finite; give three numbers")
       refuse(

@@ -30,9 +30,9 @@ object RepeatRemoval {
 
   /** Why a triangle cannot be drawn, if so. */
   def fault(triangle: ClipTriangle): Option[String] = axes(triangle).flatMap { case (name, wrap, of) =>
-    val values  = triangle.v.map(of)
+    val values = triangle.v.map(of)
     val clamped = wrap == Wrap.Clamp
-    val drawn   =
+    val drawn =
       if (clamped) steps(values, values.head, wrap).isDefined
       else values.forall(_.abs < 1e9) && values.max - values.min <= Domain.MaxMeshRepeats
     Option.unless(drawn)(
@@ -45,11 +45,11 @@ object RepeatRemoval {
 
   /** The triangle, or parts of it that have an offset. */
   def parts(triangle: ClipTriangle): Seq[ClipTriangle] = {
-    val along                                 = axes(triangle)
+    val along = axes(triangle)
     def tooLong(a: ClipVertex, b: ClipVertex) =
       along.exists { case (_, wrap, of) => steps(Seq(of(a), of(b)), of(a), wrap).isEmpty }
     def repeats(a: ClipVertex, b: ClipVertex) = along.map { case (_, _, of) => (of(a) - of(b)).abs }.max
-    val edges                                 = (0 to 2).map(i => (triangle.v(i), triangle.v((i + 1) % 3), triangle.v((i + 2) % 3)))
+    val edges = (0 to 2).map(i => (triangle.v(i), triangle.v((i + 1) % 3), triangle.v((i + 2) % 3)))
     // the longest first, which keeps parts from becoming slivers
     edges.filter(e => tooLong(e._1, e._2)).maxByOption(e => repeats(e._1, e._2)).fold(Seq(triangle)) { case (a, b, c) =>
       val m = middle(a, b)
@@ -67,7 +67,7 @@ object RepeatRemoval {
 
   /** Repeats to subtract from s and t of a part. */
   def offset(triangle: ClipTriangle): (Int, Int) = {
-    val nearest             = triangle.v.minBy(_.clip.w)
+    val nearest = triangle.v.minBy(_.clip.w)
     val Seq(alongS, alongT) = axes(triangle).map { case (name, wrap, of) =>
       steps(triangle.v.map(of), of(nearest), wrap)
         .getOrElse(throw new IllegalStateException(s"driver: $name of $triangle leaves the vertex format"))
@@ -78,8 +78,8 @@ object RepeatRemoval {
   /** The offset, None where there is none that keeps all values within the format. */
   private def steps(values: Seq[Double], nearest: Double, wrap: Wrap): Option[Int] = {
     val wanted = if (wrap == Wrap.Clamp) 0 else Step * floor(nearest / Step + 0.5)
-    val least  = 2 * ceil((values.max - Most) / 2)
-    val most   = 2 * floor((values.min + Most) / 2)
+    val least = 2 * ceil((values.max - Most) / 2)
+    val most = 2 * floor((values.min + Most) / 2)
     val chosen = if (wrap == Wrap.Clamp) wanted else wanted.max(least).min(most)
     Option.when(least <= chosen && chosen <= most)(chosen.toInt)
   }

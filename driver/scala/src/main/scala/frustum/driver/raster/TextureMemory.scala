@@ -16,7 +16,7 @@ object TextureMemory {
     * sizes when they do not fit.
     */
   def allocate(scene: Scene, config: RasterConfig): TextureMemory = {
-    val used   = scene.triangles.iterator.map(_.material).toSet
+    val used = scene.triangles.iterator.map(_.material).toSet
     val images = scene.materials.indices
       .filter(used)
       .flatMap(i => scene.materials(i).texture.map(scene.materials(i).name -> _))
@@ -24,13 +24,13 @@ object TextureMemory {
       throw InputError(s"${scene.place}: the texture of material '$material' $fault")
     }
     val distinct = images.map(_._2).distinct
-    val total    = distinct.map(i => i.width * i.height).sum
+    val total = distinct.map(i => i.width * i.height).sum
     if (total > config.textureTexels)
       throw InputError(
         s"${scene.place}: textures of " + distinct.map(i => s"${i.width} x ${i.height}").mkString(", ") +
           s" need $total texels, the memory has ${config.textureTexels}; use smaller or fewer textures"
       )
-    val bases      = distinct.scanLeft(0)((base, image) => base + image.width * image.height / Unit)
+    val bases = distinct.scanLeft(0)((base, image) => base + image.width * image.height / Unit)
     val references = distinct.zip(bases).map { case (image, base) =>
       image -> TextureRef(base, log2(image.width), log2(image.height), format(image))
     }

@@ -15,7 +15,7 @@ import org.joml.{Matrix4d, Vector3d, Vector4d}
 final class VertexShader(toClip: Matrix4d, turn: Matrix4d, light: Option[Vector3d]) {
   def apply(v: MeshVertex, material: Material): ClipVertex = {
     val (r, g, b, a) = v.color
-    val bright       = light.fold(1.0)(Lambert.factor(turn.transformDirection(new Vector3d(v.normal)), _))
+    val bright = light.fold(1.0)(Lambert.factor(turn.transformDirection(new Vector3d(v.normal)), _))
     ClipVertex(
       toClip.transform(new Vector4d(v.position, 1)),
       v.s,

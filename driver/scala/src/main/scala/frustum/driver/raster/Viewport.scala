@@ -39,8 +39,8 @@ final class Viewport(config: RasterConfig) {
     */
   def pixels(vertices: Seq[PackedVertex]): Option[PixelBox] = {
     def range(low: Int, high: Int, size: Int) = ((low + 7) >> 4).max(0) -> ((high - 8) >> 4).min(size - 1)
-    val (x0, x1)                              = range(vertices.map(_.x).min, vertices.map(_.x).max, config.width)
-    val (y0, y1)                              = range(vertices.map(_.y).min, vertices.map(_.y).max, config.height)
+    val (x0, x1) = range(vertices.map(_.x).min, vertices.map(_.x).max, config.width)
+    val (y0, y1) = range(vertices.map(_.y).min, vertices.map(_.y).max, config.height)
     Option.when(x0 <= x1 && y0 <= y1)(PixelBox(x0, y0, x1, y1))
   }
 }

@@ -12,7 +12,7 @@ object WScale {
   /** The factor for a frame whose w lies in `low`..`high`; 1 where nothing is to be done. */
   def factor(low: Double, high: Double): Double = {
     def log2(x: Double) = log(x) / log(2)
-    val exponent        =
+    val exponent =
       if (high > Domain.MaxW) -ceil(log2(high / Domain.MaxW))
       else if (low < Domain.MinW) ceil(log2(Domain.MinW / low))
       else 0.0

@@ -45,7 +45,7 @@ final case class Scene(
 ) {
 
   /** What messages call it, and one of its triangles. */
-  def place: String                = origin.fold(name)(_.file.toString)
+  def place: String = origin.fold(name)(_.file.toString)
   def place(triangle: Int): String =
     origin.fold(s"$name: triangle ${triangle + 1}")(o => s"${o.file}:${o.lines(triangle)}")
 
@@ -62,8 +62,8 @@ final case class SceneOrigin(file: Path, lines: IndexedSeq[Int])
 object BoundingSphere {
   def apply(points: Iterable[Vector3d]): (Vector3d, Double) = {
     if (points.isEmpty) return (new Vector3d, 0.0)
-    val low    = points.foldLeft(new Vector3d(Double.PositiveInfinity))((m, p) => m.min(p))
-    val high   = points.foldLeft(new Vector3d(Double.NegativeInfinity))((m, p) => m.max(p))
+    val low = points.foldLeft(new Vector3d(Double.PositiveInfinity))((m, p) => m.min(p))
+    val high = points.foldLeft(new Vector3d(Double.NegativeInfinity))((m, p) => m.max(p))
     val centre = low.add(high).mul(0.5)
     (centre, points.iterator.map(_.distance(centre)).max)
   }

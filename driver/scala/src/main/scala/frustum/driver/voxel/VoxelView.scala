@@ -13,9 +13,9 @@ import scala.math.{cos, sin, toRadians}
 final case class VoxelView(eye: Vector3d, yaw: Double, pitch: Double, focal: Double) {
   private val (cy, sy) = (cos(toRadians(yaw)), sin(toRadians(yaw)))
   private val (cp, sp) = (cos(toRadians(pitch)), sin(toRadians(pitch)))
-  val look             = new Vector3d(cy * cp, sy * cp, sp)
-  val right            = new Vector3d(sy, -cy, 0)
-  val up               = new Vector3d(-cy * sp, -sy * sp, cp)
+  val look = new Vector3d(cy * cp, sy * cp, sp)
+  val right = new Vector3d(sy, -cy, 0)
+  val up = new Vector3d(-cy * sp, -sy * sp, cp)
 
   /** Direction of pixel (i, j), j downwards. */
   def direction(i: Int, j: Int, c: VoxelConfig): Vector3d =

@@ -11,7 +11,7 @@ final class FunctionTable(val rises: Boolean, f: Double => Double) {
   private val ends = Array.tabulate(257) { i =>
     scala.math.round(f(i / 256.0 + 1.0 / (1 << 17)).max(0).min(65535)).toInt
   }
-  val base: Array[Int]  = ends.init
+  val base: Array[Int] = ends.init
   val slope: Array[Int] =
     ends.sliding(2).map { case Array(from, to) => if (rises) to - from else from - to }.toArray
   require(slope.forall(_ >= 0), s"a function that does not ${if (rises) "rise" else "fall"} throughout")

@@ -16,7 +16,7 @@ case class Interval(low: BigInt, high: BigInt) {
 
   /** What lies in both. */
   def within(o: Interval): Interval = Interval(low.max(o.low), high.min(o.high))
-  def contains(v: BigInt): Boolean  = low <= v && v <= high
+  def contains(v: BigInt): Boolean = low <= v && v <= high
 
   /** Bits of two's complement that hold it. */
   def width: Int = low.bitLength.max(high.bitLength) + 1

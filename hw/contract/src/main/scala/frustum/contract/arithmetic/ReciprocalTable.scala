@@ -10,12 +10,12 @@ package frustum.contract.arithmetic
   * are exact.
   */
 object ReciprocalTable {
-  val IndexBits    = 8
+  val IndexBits = 8
   val FractionBits = 12
-  val BaseBits     = 19
-  val SlopeBits    = 13
+  val BaseBits = 19
+  val SlopeBits = 13
 
-  private val size                     = 1 << IndexBits
+  private val size = 1 << IndexBits
   private def exact(f: Double): Double = 65536 * 2 * f / (1 + f)
 
   val slope: Array[Int] = Array.tabulate(size) { i =>
@@ -23,14 +23,14 @@ object ReciprocalTable {
   }
 
   val base: Array[Int] = Array.tabulate(size) { i =>
-    val from      = exact(i.toDouble / size)
+    val from = exact(i.toDouble / size)
     val lineError = exact((i + 0.5) / size) - (from + exact((i + 1.0) / size)) / 2
     scala.math.round(8 * (from + lineError / 2 + 0.5) + 0.25).toInt
   }
 
   /** The table as it lies in two memories of 16 bits. */
   def slopeWords: Seq[Int] = (0 until size).map(i => (base(i) & 7) << SlopeBits | slope(i))
-  def baseWords: Seq[Int]  = base.toSeq.map(_ >> 3)
+  def baseWords: Seq[Int] = base.toSeq.map(_ >> 3)
 
   /** r in units of 2^-16; `fraction` is the top 20 bits of f. */
   def apply(fraction: Int): Int = {

@@ -4,11 +4,12 @@ import scala.math.{Pi, floorMod, round, sin}
 
 /** Sines of 1/1024 turns, 16 fraction bits, rounded: a quarter of them is kept. */
 object SineTable {
+
   /** Bits of an angle: 1/1024 turn. */
-  val AngleBits    = 10
-  val Turn: Int    = 1 << AngleBits
+  val AngleBits = 10
+  val Turn: Int = 1 << AngleBits
   val FractionBits = 16
-  val IndexBits    = AngleBits - 2
+  val IndexBits = AngleBits - 2
 
   /** With the sign, for 1 is among them. */
   val Width = FractionBits + 2
@@ -18,9 +19,9 @@ object SineTable {
     IndexedSeq.tabulate(1 << IndexBits)(i => round((1 << FractionBits) * sin(Pi / 2 * i / (1 << IndexBits))).toInt)
 
   def sine(angle: Int): Int = {
-    val a      = floorMod(angle, Turn)
+    val a = floorMod(angle, Turn)
     val within = a & (1 << IndexBits) - 1
-    val size   =
+    val size =
       if ((a >> IndexBits & 1) == 0) quarter(within)
       else if (within == 0) 1 << FractionBits
       else quarter((1 << IndexBits) - within)

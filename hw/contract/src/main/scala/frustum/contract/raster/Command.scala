@@ -13,8 +13,8 @@ final case class Field(name: String, words: Int, note: String, repeated: Boolean
   * opcode, length and payload. A command whose checksum or length is wrong is dropped and counted, nothing else.
   */
 object Command {
-  val Flag      = 0x7e
-  val Escape    = 0x7d
+  val Flag = 0x7e
+  val Escape = 0x7d
   val EscapeXor = 0x20
 
   /** Most payload words of a command: a lost byte costs at most this much. */
@@ -24,9 +24,17 @@ object Command {
     0x01,
     "begin",
     Seq(
-      Field("frame", 1, "frame number modulo 128, another for each frame: vertices sent under another number are not drawn"),
+      Field(
+        "frame",
+        1,
+        "frame number modulo 128, another for each frame: vertices sent under another number are not drawn"
+      ),
       Field("clearColor", 1, "RGB565"),
-      Field("region", 2, "tiles to draw, from the top left: x0 << 8 | x1, y0 << 8 | y1, inclusive; 16 x 16 pixels each in the tops")
+      Field(
+        "region",
+        2,
+        "tiles to draw, from the top left: x0 << 8 | x1, y0 << 8 | y1, inclusive; 16 x 16 pixels each in the tops"
+      )
     ),
     "Starts a frame, or one pass of it, in a free bank of the store; waits until there is one. One that is refused ends the frame before it all the same."
   )
@@ -56,7 +64,12 @@ object Command {
     "triangles",
     Seq(
       Field("state", 1, "render state of these triangles, 0..15"),
-      Field("indices", 2, "v0 << 20 | v1 << 10 | v2; drawn when v0, v1, v2 turn clockwise on the screen", repeated = true)
+      Field(
+        "indices",
+        2,
+        "v0 << 20 | v1 << 10 | v2; drawn when v0, v1, v2 turn clockwise on the screen",
+        repeated = true
+      )
     ),
     "Appends triangles; they are drawn in this order. A triangle that names a vertex not sent in this frame is refused and counted."
   )
@@ -85,7 +98,9 @@ object Command {
 
   /** CRC-16/CCITT-FALSE. */
   def crc(bytes: Seq[Int]): Int = bytes.foldLeft(0xffff) { (c, byte) =>
-    (0 until 8).foldLeft(c ^ (byte << 8)) { (x, _) => if ((x & 0x8000) != 0) ((x << 1) ^ 0x1021) & 0xffff else (x << 1) & 0xffff }
+    (0 until 8).foldLeft(c ^ (byte << 8)) { (x, _) =>
+      if ((x & 0x8000) != 0) ((x << 1) ^ 0x1021) & 0xffff else (x << 1) & 0xffff
+    }
   }
 
   /** The bytes of one command on the wire. */
@@ -93,7 +108,7 @@ object Command {
     require(payload.length <= MaxWords, s"${command.name}: ${payload.length} payload words, at most $MaxWords")
     require(payload.forall(w => w >= 0 && w <= 0xffff), s"${command.name}: a payload word is outside 0..65535")
     val body = Seq(command.opcode, payload.length) ++ payload.flatMap(w => Seq(w >> 8, w & 255))
-    val sum  = crc(body)
+    val sum = crc(body)
     Flag +: (body ++ Seq(sum >> 8, sum & 255)).flatMap { b =>
       if (b == Flag || b == Escape) Seq(Escape, b ^ EscapeXor) else Seq(b)
     }

@@ -18,7 +18,7 @@ object FetchProgram {
   }
 
   // What a `Pixel` row has for its word: the tile's first or last column or line, or that of the first covered pixel.
-  val Column = 0; val Line      = 1
+  val Column = 0; val Line = 1
   val LastOf = 2; val CoveredOf = 4
 
   /** @param word   which of the vertex's store words holds the field; it stands at the word's top, except for
@@ -62,9 +62,9 @@ object FetchProgram {
   private def wanted(row: Row, planes: Seq[Int]): Boolean = row.field match {
     case Field.Q | Field.Texture | Field.Scale => planes.contains(PlaneQ)
     case Field.Z                               => planes.contains(PlaneZ)
-    case Field.Color                           => planes.exists(p => Seq(value(p), delta1(p), delta2(p)).contains(row.target))
-    case Field.Skip                            => false
-    case _                                     => true
+    case Field.Color => planes.exists(p => Seq(value(p), delta1(p), delta2(p)).contains(row.target))
+    case Field.Skip  => false
+    case _           => true
   }
 
   private def fields(v: Int): Seq[Row] = Seq(
@@ -120,9 +120,9 @@ object FetchProgram {
   val RowBits = 30
 
   private def encode(program: Seq[Row], planes: Seq[Int]): Seq[Int] = program.zipWithIndex.map { case (r, n) =>
-    val next                     = program.lift(n + 1)
+    val next = program.lift(n + 1)
     def bit(b: Boolean, at: Int) = (if (b) 1 else 0) << at
-    val lastOfWord               = r.field != Field.Pixel && next.forall(_.word != r.word)
+    val lastOfWord = r.field != Field.Pixel && next.forall(_.word != r.word)
     bit(next.isEmpty, 29) | bit(lastOfWord, 28) | bit(r.take, 27) | bit(r.upper, 26) | r.word << 23 |
       bit(r.field != Field.Skip, 14 + r.field.id) | code(r.origin, planes) << 7 | code(r.target, planes)
   }

@@ -21,11 +21,11 @@ final case class FixedState(mask: Int, value: Int) {
   def planes: Seq[Int] = {
     import SetupWords._
     def is(bits: Int, constant: Int) = (mask & bits) == bits && (this.value & bits) == constant
-    val none                         = Seq(
-      is(FixedState.CombineBits, Combine.ColorOnly.code << 20)  -> Seq(PlaneS, PlaneT, PlaneQ),
-      is(FixedState.CombineBits, Combine.Replace.code << 20)    -> Seq(PlaneR, PlaneG, PlaneB),
+    val none = Seq(
+      is(FixedState.CombineBits, Combine.ColorOnly.code << 20) -> Seq(PlaneS, PlaneT, PlaneQ),
+      is(FixedState.CombineBits, Combine.Replace.code << 20) -> Seq(PlaneR, PlaneG, PlaneB),
       is(FixedState.Functions, DepthFunction.Always.code << 22) -> Seq(PlaneZ),
-      (neverBlends && is(FixedState.AlphaRef, 0))               -> Seq(PlaneA)
+      (neverBlends && is(FixedState.AlphaRef, 0)) -> Seq(PlaneA)
     ).collect { case (true, planes) => planes }.flatten
     AllPlanes.diff(none)
   }
@@ -64,7 +64,7 @@ object FixedState {
   def of(states: RenderState*): FixedState = {
     require(states.nonEmpty, "FixedState: of no states")
     val words = states.map(word)
-    val mask  = words.map(w => ~(w ^ words.head)).reduce(_ & _)
+    val mask = words.map(w => ~(w ^ words.head)).reduce(_ & _)
     FixedState(mask, words.head & mask)
   }
 
@@ -72,18 +72,18 @@ object FixedState {
   def word(s: RenderState): Int = s.words(1) << 16 | s.words(0)
 
   private val CombineBits = 3 << 20
-  private val Functions   = 7 << 22
-  private val Blend       = 1 << 26
-  private val AlphaRef    = 31 << 27
+  private val Functions = 7 << 22
+  private val Blend = 1 << 26
+  private val AlphaRef = 31 << 27
 
   private val fields = Seq(
     "texture address" -> 0x1ff,
-    "texture size"    -> (63 << 9),
-    "texel format"    -> (1 << 15),
-    "wrap"            -> (15 << 16),
-    "combine"         -> CombineBits,
-    "depth function"  -> (15 << 22),
-    "blending"        -> Blend,
-    "alpha test"      -> AlphaRef
+    "texture size" -> (63 << 9),
+    "texel format" -> (1 << 15),
+    "wrap" -> (15 << 16),
+    "combine" -> CombineBits,
+    "depth function" -> (15 << 22),
+    "blending" -> Blend,
+    "alpha test" -> AlphaRef
   )
 }

@@ -31,7 +31,8 @@ final case class PackedVertex(
 
   /** The same for hardware made for these ranges. */
   def fault(ranges: VertexRanges): Option[String] =
-    if (x.abs > ranges.maxXy || y.abs > ranges.maxXy) Some(s"position ($x, $y)/16 is beyond +-${ranges.maxXy}/16 pixels")
+    if (x.abs > ranges.maxXy || y.abs > ranges.maxXy)
+      Some(s"position ($x, $y)/16 is beyond +-${ranges.maxXy}/16 pixels")
     else if (z < 0 || z > 65535) Some(s"depth $z is outside 0..65535")
     else if (qMantissa < 32768 || qMantissa > 65535) Some(s"1/w mantissa $qMantissa is not normalised (32768..65535)")
     else if (qExponent < 0 || qExponent > 31) Some(s"1/w exponent $qExponent is outside 0..31")

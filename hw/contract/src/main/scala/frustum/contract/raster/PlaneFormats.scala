@@ -40,7 +40,7 @@ final case class PlaneFormats(coordinate: Int = 0, depth: Int = 0, color: Int = 
 
 object PlaneFormats {
   val MostCoordinate = 20
-  val MostInverse    = 24
-  val MostDepth      = 24
-  val MostColor      = 11
+  val MostInverse = 24
+  val MostDepth = 24
+  val MostColor = 11
 }

@@ -26,10 +26,10 @@ final case class RasterConfig(
 ) extends ScreenTiles {
   require(tileLog2Width >= 3 && tileLog2Width <= 5, s"tile width 2^$tileLog2Width is outside 8..32")
   require(tileLog2Height >= 3 && tileLog2Height <= 5, s"tile height 2^$tileLog2Height is outside 8..32")
-  val tileWidth: Int  = 1 << tileLog2Width
+  val tileWidth: Int = 1 << tileLog2Width
   val tileHeight: Int = 1 << tileLog2Height
-  val tilesX: Int     = (width + tileWidth - 1) / tileWidth
-  val tilesY: Int     = (height + tileHeight - 1) / tileHeight
+  val tilesX: Int = (width + tileWidth - 1) / tileWidth
+  val tilesY: Int = (height + tileHeight - 1) / tileHeight
   require(width >= 8 && height >= 8, s"screen $width x $height is smaller than 8 x 8")
   require(tilesX <= 32, s"screen width $width needs $tilesX tiles of $tileWidth; at most 32")
   require(tilesY <= 32, s"screen height $height needs $tilesY tiles of $tileHeight; at most 32")
@@ -41,9 +41,9 @@ final case class RasterConfig(
   def tileXBits: Int = bitsFor(tilesX).max(1)
 
   /** Of a vertex' and a triangle's index, and of a number of triangles. */
-  def vertexBits: Int   = bitsFor(maxVertices)
+  def vertexBits: Int = bitsFor(maxVertices)
   def triangleBits: Int = bitsFor(maxTriangles).max(1)
-  def countBits: Int    = bitsFor(maxTriangles + 1)
+  def countBits: Int = bitsFor(maxTriangles + 1)
   require(
     width <= (1 << ranges.position) && height <= (1 << ranges.position),
     s"screen of $width x $height, positions below 2^${ranges.position} pixels"

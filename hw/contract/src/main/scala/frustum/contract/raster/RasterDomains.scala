@@ -23,7 +23,7 @@ object RasterDomains {
   val TriangleSize =
     ValidFor("planes", "triangle-size", "pixels", 1, 2046, 1.0 / 256, "depth units of 65,536")
   val SliverWidth = ValidFor("coverage", "sliver-width", "1/16 pixel", 1, 1024, 0, "pixels")
-  val TJunction   =
+  val TJunction =
     ValidFor("coverage", "t-junction", "1/16 pixel off the edge", 0, 0, 0, "pixels missed or drawn twice")
   val ScreenSide = ValidFor("coverage", "screen-side", "pixels", 8, 512, 0, "pixels")
 
@@ -60,11 +60,11 @@ object RasterDomains {
   val EyeHeight =
     ValidFor("driver", "eye-height", "over a floor from 1 to 100", 1.0 / 32, 64, 0.5, "% of texels")
   val Overhang = ValidFor("driver", "overhang", "screens beyond the border", 1, Wide, 0.5, "% of pixels")
-  val Clamped  =
+  val Clamped =
     ValidFor("texture", "clamped-coordinate", "repeats beyond 0 and 1", 1, 126, 0.5, "% of texels")
   val TextureSide = ValidFor("texture", "texture-side", "log2 texels", 3, 7, 0.5, "% of texels")
-  val DepthGap    = ValidFor("depth", "depth-gap", "of the depth, far = 100 near", 0.005, 1, 0, "% of pixels")
-  val OrthoDepth  = ValidFor("depth", "orthographic-range", "world units", 1 / Wide, Wide, 0, "% of pixels")
+  val DepthGap = ValidFor("depth", "depth-gap", "of the depth, far = 100 near", 0.005, 1, 0, "% of pixels")
+  val OrthoDepth = ValidFor("depth", "orthographic-range", "world units", 1 / Wide, Wide, 0, "% of pixels")
 
   // units that every fragment goes through: whole ranges of their inputs
   val VertexColor = ValidFor("combine", "vertex-colour", "0..255", 0, 255, 0.61, "levels of the frame buffer")

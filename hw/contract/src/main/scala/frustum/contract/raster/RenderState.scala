@@ -4,7 +4,7 @@ package frustum.contract.raster
 sealed abstract class Wrap(val code: Int)
 object Wrap {
   case object Repeat extends Wrap(0)
-  case object Clamp  extends Wrap(1)
+  case object Clamp extends Wrap(1)
   case object Mirror extends Wrap(2)
   val all: Seq[Wrap] = Seq(Repeat, Clamp, Mirror)
 }
@@ -12,7 +12,7 @@ object Wrap {
 /** Texel formats: 16 bits each, red in the most significant bits. */
 sealed abstract class TexelFormat(val code: Int)
 object TexelFormat {
-  case object Rgb565   extends TexelFormat(0)
+  case object Rgb565 extends TexelFormat(0)
   case object Rgba4444 extends TexelFormat(1)
 }
 
@@ -20,21 +20,21 @@ object TexelFormat {
 sealed abstract class Combine(val code: Int)
 object Combine {
   case object ColorOnly extends Combine(0)
-  case object Replace   extends Combine(1)
-  case object Modulate  extends Combine(2)
+  case object Replace extends Combine(1)
+  case object Modulate extends Combine(2)
 }
 
 /** OpenGL's eight depth functions as the set of {less, equal, greater} that passes. */
 final case class DepthFunction(less: Boolean, equal: Boolean, greater: Boolean) {
-  def code: Int                                   = (if (less) 1 else 0) | (if (equal) 2 else 0) | (if (greater) 4 else 0)
+  def code: Int = (if (less) 1 else 0) | (if (equal) 2 else 0) | (if (greater) 4 else 0)
   def passes(fragment: Int, stored: Int): Boolean =
     if (fragment < stored) less else if (fragment == stored) equal else greater
 }
 object DepthFunction {
-  val Never                            = DepthFunction(false, false, false)
-  val Less                             = DepthFunction(true, false, false)
-  val LessEq                           = DepthFunction(true, true, false)
-  val Always                           = DepthFunction(true, true, true)
+  val Never = DepthFunction(false, false, false)
+  val Less = DepthFunction(true, false, false)
+  val LessEq = DepthFunction(true, true, false)
+  val Always = DepthFunction(true, true, true)
   def decode(code: Int): DepthFunction = DepthFunction((code & 1) != 0, (code & 2) != 0, (code & 4) != 0)
 }
 
@@ -43,7 +43,7 @@ final case class TextureRef(base: Int, log2Width: Int, log2Height: Int, format: 
   require(base >= 0 && base < 512, s"texture base $base is outside 0..511 (units of 64 texels)")
   require(log2Width >= 3 && log2Width <= 7, s"texture width 2^$log2Width is outside 8..128")
   require(log2Height >= 3 && log2Height <= 7, s"texture height 2^$log2Height is outside 8..128")
-  def width: Int  = 1 << log2Width
+  def width: Int = 1 << log2Width
   def height: Int = 1 << log2Height
 }
 

@@ -37,12 +37,12 @@ object SetupInstruction {
     * or, where the triangle is a sliver, integers.
     */
   sealed abstract class Result(val code: Int)
-  case object Nowhere                  extends Result(0)
-  final case class Integer(word: Int)  extends Result(1)
+  case object Nowhere extends Result(0)
+  final case class Integer(word: Int) extends Result(1)
   final case class Fraction(word: Int) extends Result(2)
 
   /** An integer that must fit 30 bits, otherwise the triangle is a sliver. */
-  final case class Checked(word: Int)    extends Result(3)
+  final case class Checked(word: Int) extends Result(3)
   final case class GradientX(plane: Int) extends Result(4)
   final case class GradientY(plane: Int) extends Result(5)
 
@@ -57,10 +57,10 @@ object SetupInstruction {
   /** Bits of an instruction word: far 1, a is `Top` 1, a is `Left` 1, result code 3, target 7, start 2, subtract 1, b 7, a 7.
     * Words are named by [[SetupWords.code]].
     */
-  val WordBits                                           = 30
+  val WordBits = 30
   def encode(i: SetupInstruction, planes: Seq[Int]): Int = {
     def code(word: Int) = SetupWords.code(word, planes)
-    val target          = i.result match {
+    val target = i.result match {
       case Nowhere      => 0
       case Integer(w)   => code(w)
       case Fraction(w)  => code(w)
@@ -71,7 +71,10 @@ object SetupInstruction {
       case Edge(e)      => e
     }
     def bit(b: Boolean, at: Int) = (if (b) 1 else 0) << at
-    bit(i.far, 29) | bit(i.a == SetupWords.Top, 28) | bit(i.a == SetupWords.Left, 27) | i.result.code << 24 | target << 17 |
+    bit(i.far, 29) | bit(i.a == SetupWords.Top, 28) | bit(
+      i.a == SetupWords.Left,
+      27
+    ) | i.result.code << 24 | target << 17 |
       i.start.code << 15 | bit(i.subtract, 14) | code(i.b) << 7 | code(i.a)
   }
 }

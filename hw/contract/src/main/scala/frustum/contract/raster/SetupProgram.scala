@@ -13,10 +13,12 @@ import SetupWords._
   * @param planes that are wanted; the others' values mean nothing
   */
 final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
-  private def textured                                                        = planes.contains(PlaneQ)
-  private val nop                                                             = SetupInstruction(One, One, Keep, subtract = false, Nowhere)
-  private def mac(a: Int, b: Int, start: Start = Keep, to: Result = Nowhere)  = SetupInstruction(a, b, start, subtract = false, to)
-  private def macn(a: Int, b: Int, start: Start = Keep, to: Result = Nowhere) = SetupInstruction(a, b, start, subtract = true, to)
+  private def textured = planes.contains(PlaneQ)
+  private val nop = SetupInstruction(One, One, Keep, subtract = false, Nowhere)
+  private def mac(a: Int, b: Int, start: Start = Keep, to: Result = Nowhere) =
+    SetupInstruction(a, b, start, subtract = false, to)
+  private def macn(a: Int, b: Int, start: Start = Keep, to: Result = Nowhere) =
+    SetupInstruction(a, b, start, subtract = true, to)
 
   /** Twice the area: dx1 dy2 - dx2 dy1. */
   val area: Seq[SetupInstruction] = Seq(
@@ -26,15 +28,15 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
 
   /** 1/area by Newton-Raphson, x := x + x (1 - d x), three steps from a guess that is 1/17 off; meanwhile 1/w, s/w, t/w. */
   val attributes: Seq[SetupInstruction] = {
-    val x      = Reciprocal
+    val x = Reciprocal
     val newton = Seq(
       mac(One, One, Round),
       macn(x, AreaNormal, to = Fraction(Error)),
       mac(x, One, Round),
       mac(x, Error, to = Fraction(x))
     )
-    val guess                                 = Seq(mac(Guess, ThreeHalves, Round), macn(Guess, AreaNormal, to = Fraction(x)))
-    val depthsOf                              = (0 to 2).map(v => mac(q(v), scale(v), Zero, Integer(q(v))))
+    val guess = Seq(mac(Guess, ThreeHalves, Round), macn(Guess, AreaNormal, to = Fraction(x)))
+    val depthsOf = (0 to 2).map(v => mac(q(v), scale(v), Zero, Integer(q(v))))
     def products(raw: Int => Int, plane: Int) =
       mac(q(0), raw(0), Round, Fraction(value(plane))) +:
         Seq(1 -> delta1(plane), 2 -> delta2(plane)).flatMap { case (v, d) =>
@@ -54,7 +56,10 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
       mac(from, Shift, Zero, Integer(to))
     }
     def texture(program: Seq[SetupInstruction]) = if (textured) program else Nil
-    guess ++ texture(depthsOf) ++ newton.take(2) ++ edge0 ++ newton.drop(2) ++ texture(products(s, PlaneS)) ++ newton.take(2) ++
+    guess ++ texture(depthsOf) ++ newton.take(2) ++ edge0 ++ newton.drop(2) ++ texture(products(
+      s,
+      PlaneS
+    )) ++ newton.take(2) ++
       normal ++ newton.drop(2) ++ texture(products(t, PlaneT)) ++ newton.take(2) ++ texture(inverseW) ++ newton.drop(2)
   }
 
@@ -110,9 +115,10 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
   }
 
   /** The programs as they lie in the engine's memory, with no-operations where a result is not ready. */
-  val sections: Seq[Seq[SetupInstruction]] = Seq(area, attributes ++ steps, steps, gradients, edges, rebase).map(schedule)
-  val starts: Seq[Int]                     = sections.scanLeft(0)(_ + _.length)
-  val image: Seq[SetupInstruction]         = sections.flatten
+  val sections: Seq[Seq[SetupInstruction]] =
+    Seq(area, attributes ++ steps, steps, gradients, edges, rebase).map(schedule)
+  val starts: Seq[Int] = sections.scanLeft(0)(_ + _.length)
+  val image: Seq[SetupInstruction] = sections.flatten
 
   /** Delays each instruction until its operands are written. Waiting is only allowed before an accumulation starts,
     * because a no-operation would disturb one under way.
@@ -137,6 +143,6 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
 }
 
 object SetupProgram {
-  val SectionArea   = 0; val SectionAttributes = 1; val SectionSteps = 2; val SectionGradients = 3; val SectionEdges = 4
+  val SectionArea = 0; val SectionAttributes = 1; val SectionSteps = 2; val SectionGradients = 3; val SectionEdges = 4
   val SectionRebase = 5
 }

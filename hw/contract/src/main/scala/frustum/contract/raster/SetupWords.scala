@@ -4,7 +4,7 @@ package frustum.contract.raster
   * In the scratch memory the shared ones come first, then slot after slot.
   */
 object SetupWords {
-  val SlotWords   = 38
+  val SlotWords = 38
   val SharedWords = 26
 
   /** First shared word. */
@@ -24,12 +24,12 @@ object SetupWords {
 
   /** Words of a slot with these planes. */
   def slotWords(planes: Seq[Int]): Int = value(planes.length)
-  val CodeBits                         = 7
-  val Planes                           = 8
+  val CodeBits = 7
+  val Planes = 8
 
   // The slot, kept while the triangle is cached. Positions in 1/16 pixel;
   // "16" marks values held times 2^16, so that a product with a plain integer is a plain integer.
-  val X0     = 0; val Y0     = 1
+  val X0 = 0; val Y0 = 1
   val DX1_16 = 2; val DY1_16 = 3; val DX2_16 = 4; val DY2_16 = 5
 
   /** Steps of edge 0: A0 = dy1 - dy2, B0 = dx2 - dx1. */
@@ -45,12 +45,12 @@ object SetupWords {
   val Reciprocal = 13
 
   /** Value of plane p at vertex 0, and its differences at vertices 1 and 2. */
-  def value(p: Int): Int  = 14 + 3 * p
+  def value(p: Int): Int = 14 + 3 * p
   def delta1(p: Int): Int = 15 + 3 * p
   def delta2(p: Int): Int = 16 + 3 * p
 
   // Shared: used by the set-up alone.
-  val DX1            = 56; val DX2 = 57
+  val DX1 = 56; val DX2 = 57
   def s(v: Int): Int = 40 + v
   def t(v: Int): Int = 43 + v
 
@@ -61,13 +61,13 @@ object SetupWords {
   def scale(v: Int): Int = 49 + v
 
   /** The area shifted to 2^29..2^30, or by [[MaxShift]], with bit 29 set; plus one, so that its reciprocal stays below 2. */
-  val MaxShift   = 25
+  val MaxShift = 25
   val AreaNormal = 52
 
   /** 2^shift and 2^(shift + 4) (14 less for a sliver), shift being that of the area. */
-  val Shift     = 53; val Shift4 = 54
-  val Error     = 55
-  val L1X       = 40; val L1Y    = 41; val L2X = 42; val L2Y = 49
+  val Shift = 53; val Shift4 = 54
+  val Error = 55
+  val L1X = 40; val L1Y = 41; val L2X = 42; val L2Y = 49
   val Temporary = Seq(44, 45, 46, 47)
 
   // Shared: used by the move to a tile, positions relative to vertex 0.
@@ -78,8 +78,8 @@ object SetupWords {
 
   /** First pixel, times 2^16. */
   val PixelX_16 = 56; val PixelY_16 = 57
-  val Lambda1   = 58; val Lambda2   = 59
-  val Normal1   = 54; val Normal2   = 55
+  val Lambda1 = 58; val Lambda2 = 59
+  val Normal1 = 54; val Normal2 = 55
 
   // Shared: constants.
   val Nothing = 39
@@ -91,16 +91,16 @@ object SetupWords {
   val One16 = 61
 
   /** 32/17 and 3/2 with 30 fractional bits: the first guess of 1/d is 48/17 - 32/17 d (d in 1/2..1). */
-  val Guess                    = 62; val ThreeHalves = 63
+  val Guess = 62; val ThreeHalves = 63
   val constants: Map[Int, Int] = Map(
-    One         -> (1 << 30),
-    One16       -> (1 << 16),
-    Guess       -> scala.math.round(32.0 / 17 * (1 << 30)).toInt,
+    One -> (1 << 30),
+    One16 -> (1 << 16),
+    Guess -> scala.math.round(32.0 / 17 * (1 << 30)).toInt,
     ThreeHalves -> (3 << 29)
   )
 
   // Planes, in the order of the interpolator.
-  val PlaneS              = 0; val PlaneT = 1; val PlaneQ = 2; val PlaneZ = 3; val PlaneR = 4; val PlaneG = 5; val PlaneB = 6
-  val PlaneA              = 7
+  val PlaneS = 0; val PlaneT = 1; val PlaneQ = 2; val PlaneZ = 3; val PlaneR = 4; val PlaneG = 5; val PlaneB = 6
+  val PlaneA = 7
   val AllPlanes: Seq[Int] = 0 until Planes
 }

@@ -9,11 +9,11 @@ package frustum.contract.raster
   *   - render state i, 1 word at `states + i`: {first word, second word} of RenderState.words
   */
 final case class StoreLayout(config: RasterConfig) {
-  val vertexWords: Int     = 5
-  val triangleWords: Int   = 2
-  val triangles: Int       = vertexWords * config.maxVertices
-  val states: Int          = triangles + triangleWords * config.maxTriangles
-  val bankWords: Int       = states + RenderState.Count
-  val addressBits: Int     = 1 + bankAddressBits
+  val vertexWords: Int = 5
+  val triangleWords: Int = 2
+  val triangles: Int = vertexWords * config.maxVertices
+  val states: Int = triangles + triangleWords * config.maxTriangles
+  val bankWords: Int = states + RenderState.Count
+  val addressBits: Int = 1 + bankAddressBits
   def bankAddressBits: Int = 32 - Integer.numberOfLeadingZeros(bankWords - 1)
 }

@@ -53,7 +53,7 @@ object RayCamera {
   */
 case class RayCameraRange(low: RayCamera, high: RayCamera, lengths: Option[(Int, Int)]) {
   import RayCameraRange.Vectors
-  val eye: RayBox    = RayBox(low.eye, high.eye)
+  val eye: RayBox = RayBox(low.eye, high.eye)
   def fixed: Boolean = low == high
   for ((l, h) <- low.vectors.zip(high.vectors); a <- 0 to 2)
     require(l(a) <= h(a), s"camera from $l to $h")
@@ -75,8 +75,8 @@ case class RayCameraRange(low: RayCamera, high: RayCamera, lengths: Option[(Int,
     outside.headOption.orElse(lengths.flatMap { case (least, most) =>
       // Lengths are greatest in a corner of the picture.
       val corners = for (h <- Seq(0, width); v <- Seq(0, height)) yield c.direction(h, v)
-      val long    = corners.find(d => d.dot(d) > most.toLong * most)
-      def short   = (for (v <- 0 until height; h <- 0 until width) yield c.direction(h, v))
+      val long = corners.find(d => d.dot(d) > most.toLong * most)
+      def short = (for (v <- 0 until height; h <- 0 until width) yield c.direction(h, v))
         .find(d => d.dot(d) < least.toLong * least)
       long.orElse(short).map(d =>
         s"camera's ray $d is ${scala.math.sqrt(d.dot(d).toDouble).round} long, accepted $least to $most"

@@ -27,5 +27,5 @@ case class RayForm(name: String, first: Int, start: Seq[Option[BigInt]], range: 
     * in which its walker moves what it has taken on.
     */
   def slot(i: Int): Int = if (registers == 3 && i == loaded - 1) i + 1 else i
-  val loadWords: Int    = if (loaded == 0) 0 else slot(loaded - 1) + 1
+  val loadWords: Int = if (loaded == 0) 0 else slot(loaded - 1) + 1
 }

@@ -8,8 +8,8 @@ import scala.collection.mutable
   * @param inputs written before each frame's steps
   */
 class RayMemory(b: RayProgramBuilder, first: Seq[RayWord], inputs: Seq[RayWord]) {
-  private val places       = mutable.LinkedHashMap[RayWord, Int]()
-  private var used         = 0
+  private val places = mutable.LinkedHashMap[RayWord, Int]()
+  private var used = 0
   private def fresh(): Int = { used += 1; used - 1 }
 
   private val read = b.frame.zipWithIndex.flatMap { case (s, t) => Seq(s.a -> t, s.b -> t) }
@@ -18,7 +18,7 @@ class RayMemory(b: RayProgramBuilder, first: Seq[RayWord], inputs: Seq[RayWord])
     b.frame.flatMap(s => Seq(s.a, s.b)).filter(_.constant.isDefined)).distinct
   kept.foreach(w => places(w) = fresh())
 
-  private val free                    = mutable.SortedSet[Int]()
+  private val free = mutable.SortedSet[Int]()
   private def place(w: RayWord): Unit = if (!places.contains(w)) {
     places(w) = free.headOption.fold(fresh()) { p => free -= p; p }
   }
@@ -33,10 +33,10 @@ class RayMemory(b: RayProgramBuilder, first: Seq[RayWord], inputs: Seq[RayWord])
     if (!last.contains(s.to) && !keeps(s.to)) free += places(s.to)
   }
 
-  val size: Int                   = used
+  val size: Int = used
   val constants: Map[Int, BigInt] =
     places.collect { case (w, p) if w.constant.isDefined => p -> w.constant.get }.toMap
-  def apply(w: RayWord): Int         = places(w)
+  def apply(w: RayWord): Int = places(w)
   def step(o: RayOperation): RayStep =
     RayStep(o.op, places(o.to), places(o.a), places(o.b), o.b.range.width, o.to.range)
 }

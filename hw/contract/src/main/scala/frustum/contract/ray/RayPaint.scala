@@ -13,7 +13,7 @@ sealed trait RayPaint {
 
 /** One colour, 24-bit RGB. */
 case class RaySolid(color: Int) extends RayPaint {
-  def cellBits: Int         = 0
+  def cellBits: Int = 0
   val (columnBits, rowBits) = (0, 0)
 }
 
@@ -42,7 +42,7 @@ case class RayImage(width: Int, height: Int, cellBits: Int, rgb: IndexedSeq[Int]
   )
   require(rgb.size == width * height, s"${rgb.size} texels for $width x $height")
   val columnBits: Int = Integer.numberOfTrailingZeros(width)
-  val rowBits: Int    = Integer.numberOfTrailingZeros(height)
+  val rowBits: Int = Integer.numberOfTrailingZeros(height)
 
   /** Texel of a column and of a row counted from the bottom, both modulo the image's size. */
   def texel(column: Int, row: Int): Int =
@@ -51,5 +51,5 @@ case class RayImage(width: Int, height: Int, cellBits: Int, rgb: IndexedSeq[Int]
 
 object RayPaint {
   val MaxCellBits = 12
-  val MaxSide     = 256
+  val MaxSide = 256
 }

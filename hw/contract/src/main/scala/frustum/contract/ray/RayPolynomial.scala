@@ -48,8 +48,8 @@ class RayAlgebra(b: RayProgramBuilder, width: Int, height: Int) {
 
   /** Product of two linear forms. */
   def product(p: RayPolynomial, q: RayPolynomial): RayPolynomial = {
-    val Seq(c, x, y)                                          = parts(p)
-    val Seq(d, s, t)                                          = parts(q)
+    val Seq(c, x, y) = parts(p)
+    val Seq(d, s, t) = parts(q)
     def cross(a: RayWord, e: RayWord, f: RayWord, g: RayWord) = b.add(b.multiply(a, e), b.multiply(f, g))
     polynomial(
       Seq(
@@ -66,7 +66,7 @@ class RayAlgebra(b: RayProgramBuilder, width: Int, height: Int) {
 
   /** Square of a linear form. */
   def square(p: RayPolynomial): RayPolynomial = {
-    val Seq(c, x, y)                  = parts(p)
+    val Seq(c, x, y) = parts(p)
     def twice(r: RayWord, s: RayWord) = { val w = b.multiply(r, s); b.add(w, w) }
     polynomial(
       Seq(b.multiply(c, c), twice(c, x), twice(c, y), b.multiply(x, x), twice(x, y), b.multiply(y, y)),

@@ -25,8 +25,8 @@ case class RayProgram(
     loadWords: Int,
     forms: Seq[RayForm]
 ) {
-  val wordWidth: Int              = (forms.map(_.width) ++ inputs.map(_.range.width)).max
-  private val byName              = forms.map(f => f.name -> f).toMap
+  val wordWidth: Int = (forms.map(_.width) ++ inputs.map(_.range.width)).max
+  private val byName = forms.map(f => f.name -> f).toMap
   def form(name: String): RayForm = byName(name)
   require(
     wordWidth <= RayProgram.MaxWidth,
@@ -56,23 +56,23 @@ object RayProgram {
         start.constant.filter(_ => Seq(slope, curve).forall(_.constant.contains(BigInt(0))))
       lazy val word = new RayWord(start.range + slope.range * rows + curve.range * rows.square, None)
     }
-    val zero            = b.constant(0)
+    val zero = b.constant(0)
     def is0(w: RayWord) = w.constant.contains(BigInt(0))
-    val states          = wanted.map { case (_, p, _) =>
+    val states = wanted.map { case (_, p, _) =>
       val Seq(c, x, y, xx, xy, yy) = p.c
-      val value                    = State(c, b.add(y, yy), b.add(yy, yy))
-      val step                     = State(b.add(x, xx), xy, zero)
-      val curve                    = State(b.add(xx, xx), zero, zero)
+      val value = State(c, b.add(y, yy), b.add(yy, yy))
+      val step = State(b.add(x, xx), xy, zero)
+      val curve = State(b.add(xx, xx), zero, zero)
       if (!is0(xx)) Seq(value, step, curve) else if (!is0(x) || !is0(xy)) Seq(value, step) else Seq(value)
     }
     val forms = wanted.zip(states).foldLeft(Seq[RayForm]()) { case (made, ((name, _, r), s)) =>
       made :+ RayForm(name, made.lastOption.fold(0)(f => f.first + f.loadWords), s.map(_.constant), r)
     }
     val loadWords = forms.map(_.loadWords).sum
-    val load      = Array.fill(loadWords)(new RayWord(Interval(0), None)) // where nothing follows, a gap
+    val load = Array.fill(loadWords)(new RayWord(Interval(0), None)) // where nothing follows, a gap
     for ((f, s) <- forms.zip(states); i <- 0 until f.loaded) {
       val State(start, slope, curve) = s(i)
-      val word                       = s(i).word
+      val word = s(i).word
       load(f.first + f.slot(i)) = word
       b.copy(word, start)
       if (is0(curve)) b.advance(word, slope)

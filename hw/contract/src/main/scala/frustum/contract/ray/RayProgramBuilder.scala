@@ -13,10 +13,10 @@ case class RayOperation(op: Int, to: RayWord, a: RayWord, b: RayWord)
   * constant is folded, and nothing is computed twice.
   */
 class RayProgramBuilder {
-  val frame             = ArrayBuffer[RayOperation]()
-  val row               = ArrayBuffer[RayOperation]()
+  val frame = ArrayBuffer[RayOperation]()
+  val row = ArrayBuffer[RayOperation]()
   private val constants = LinkedHashMap[BigInt, RayWord]()
-  private val known     = HashMap[(Int, RayWord, RayWord), RayWord]()
+  private val known = HashMap[(Int, RayWord, RayWord), RayWord]()
 
   def constant(v: BigInt): RayWord = constants.getOrElseUpdate(v, new RayWord(Interval(v), Some(v)))
 
@@ -52,7 +52,7 @@ class RayProgramBuilder {
     case _ if is(b, 1)             => a
     // A step takes time by its second operand's width.
     case _ if a.range.width < b.range.width => multiply(b, a)
-    case _                                  => step(RayStep.Multiply, if (a eq b) a.range.square else a.range * b.range, a, b)
+    case _ => step(RayStep.Multiply, if (a eq b) a.range.square else a.range * b.range, a, b)
   }
 
   /** Puts `from` into the state word `to` at the start of each frame. */

@@ -74,7 +74,7 @@ case class RayScene(
   }
   for ((s, i) <- spheres.zipWithIndex; (o, j) <- spheres.zipWithIndex.drop(i + 1)) {
     val reach = s.radius.toLong + o.radius
-    val gap   = s.box.nearest(o.box)
+    val gap = s.box.nearest(o.box)
     require(
       gap > reach * reach,
       s"spheres $i and $j may intersect: radii ${s.radius} and ${o.radius}, centres ${s.low} to ${s.high} and ${o.low} to ${o.high} " +
@@ -97,7 +97,7 @@ case class RayScene(
 
 object RayScene {
   val MaxSpheres = 8
-  val MaxQuads   = 4
+  val MaxQuads = 4
 }
 
 /** Where the moving things of a scene are during one frame; the camera only if it moves. */

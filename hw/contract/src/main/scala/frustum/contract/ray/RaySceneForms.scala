@@ -20,8 +20,8 @@ import scala.collection.mutable.ArrayBuffer
   */
 class RaySceneForms(scene: RayScene, width: Int, height: Int) {
   import scene.{camera, room}
-  val builder         = new RayProgramBuilder
-  private val b       = builder
+  val builder = new RayProgramBuilder
+  private val b = builder
   private val algebra = new RayAlgebra(b, width, height)
   import algebra._
 
@@ -43,14 +43,14 @@ class RaySceneForms(scene: RayScene, width: Int, height: Int) {
     }
   }
   private val Seq(eye, corner, right, down) = camera.low.vectors.indices.map(i => moving(RayMoving.Camera(i)))
-  private val centres                       = scene.spheres.indices.map(i => moving(RayMoving.Sphere(i)))
-  private val quads                         = scene.quads.indices.map(i => moving(RayMoving.Quad(i)))
+  private val centres = scene.spheres.indices.map(i => moving(RayMoving.Sphere(i)))
+  private val quads = scene.quads.indices.map(i => moving(RayMoving.Quad(i)))
 
-  private val longest   = camera.lengths.map(_._2)
+  private val longest = camera.lengths.map(_._2)
   private val direction =
     (0 to 2).map(a => linear(corner(a), right(a), down(a), longest.map(l => Interval(-l, l))))
-  private def point(p: IntVector)                        = p.axes.map(x => b.constant(x))
-  private def minus(p: Seq[RayWord], q: Seq[RayWord])    = p.zip(q).map { case (x, y) => b.subtract(x, y) }
+  private def point(p: IntVector) = p.axes.map(x => b.constant(x))
+  private def minus(p: Seq[RayWord], q: Seq[RayWord]) = p.zip(q).map { case (x, y) => b.subtract(x, y) }
   private def dotWords(p: Seq[RayWord], q: Seq[RayWord]) =
     p.zip(q).map { case (x, y) => b.multiply(x, y) }.reduce(b.add)
 
@@ -62,12 +62,12 @@ class RaySceneForms(scene: RayScene, width: Int, height: Int) {
   private def normal(w: Wall) = scale(direction(w.axis), b.constant(w.sign))
 
   private def wantWithin(name: String, p: RayPolynomial, r: Interval): Unit = wanted += ((name, p, r))
-  private def want(name: String, p: RayPolynomial): Unit                    = wantWithin(name, p, p.bound)
+  private def want(name: String, p: RayPolynomial): Unit = wantWithin(name, p, p.bound)
 
   /** Upper bound of |v|^2, the sum of its components' bounds. */
   private def most(v: Seq[RayPolynomial]) = v.map(_.bound.square).reduce(_ + _).high
 
-  private val square     = direction.map(algebra.square).reduce(add)
+  private val square = direction.map(algebra.square).reduce(add)
   private val squareMost = longest.fold(most(direction))(l => most(direction).min(BigInt(l) * l))
 
   private def discriminant(
@@ -77,10 +77,10 @@ class RaySceneForms(scene: RayScene, width: Int, height: Int) {
       s: Seq[RayWord],
       radius: Int
   ): (RayPolynomial, RayWord) = {
-    val r2    = BigInt(radius).pow(2)
-    val c     = b.subtract(dotWords(s, s), b.constant(r2))
+    val r2 = BigInt(radius).pow(2)
+    val c = b.subtract(dotWords(s, s), b.constant(r2))
     val along = dot(v, s)
-    val a     = v.map(algebra.square).reduce(add)
+    val a = v.map(algebra.square).reduce(add)
     val cMost = s.map(_.range.square).reduce(_ + _).high
     wantWithin(name, subtract(algebra.square(along), scale(a, c)), Interval(-vMost * cMost, vMost * r2))
     (along, c)
@@ -96,10 +96,10 @@ class RaySceneForms(scene: RayScene, width: Int, height: Int) {
   /** What a sphere's shade needs besides its discriminant; `away` is from its centre to the light. */
   private def wantShade(i: Int, centre: Seq[RayWord], along: RayPolynomial, away: Seq[RayWord]): Unit = {
     def within(m: BigInt) = Interval(-m, m)
-    val r                 = BigInt(scene.spheres(i).radius)
-    val far               = away.map(_.range.square).reduce(_ + _).high
-    val towards           = dot(direction, away)
-    val across            = dotWords(minus(centre, eye), away)
+    val r = BigInt(scene.spheres(i).radius)
+    val far = away.map(_.range.square).reduce(_ + _).high
+    val towards = dot(direction, away)
+    val across = dotWords(minus(centre, eye), away)
     wantWithin(s"towards$i", towards, within(upTo(squareMost * far)))
     wantWithin(
       s"lit$i",
@@ -122,14 +122,14 @@ class RaySceneForms(scene: RayScene, width: Int, height: Int) {
       subtract(scale(direction(p.axis), distance(q)), scale(direction(q.axis), distance(p)))
     )
   for ((q, i) <- quads.zipWithIndex; u <- 0 to 1) {
-    val half   = scene.quads(i).half
+    val half = scene.quads(i).half
     val offset = b.add(b.subtract(eye(u), q(u)), b.constant(half))
-    val low    = add(scale(direction(2), offset), scale(direction(u), distance(Wall.back)))
+    val low = add(scale(direction(2), offset), scale(direction(u), distance(Wall.back)))
     want(s"quad${i}_$u", low)
     want(s"quadEnd${i}_$u", subtract(scale(direction(2), b.constant(2 * half)), low))
   }
   for ((centre, i) <- centres.zipWithIndex) {
-    val radius     = scene.spheres(i).radius
+    val radius = scene.spheres(i).radius
     val (along, _) = discriminant(s"sphere$i", direction, squareMost, minus(centre, eye), radius)
     want(s"along$i", along)
     for (light <- scene.light) {

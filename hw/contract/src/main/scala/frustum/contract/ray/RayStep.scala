@@ -11,6 +11,6 @@ case class RayStep(op: Int, to: Int, a: Int, b: Int, bits: Int, range: Interval)
 
 object RayStep {
   val Multiply = 0
-  val Add      = 1
+  val Add = 1
   val Subtract = 2
 }

@@ -19,7 +19,7 @@ case class Wall(index: Int, axis: Int, sign: Int) {
 
 object Wall {
   val all: Seq[Wall] = Seq(Wall(0, 0, -1), Wall(1, 0, 1), Wall(2, 1, -1), Wall(3, 1, 1), Wall(4, 2, 1))
-  val back: Wall     = all.last
+  val back: Wall = all.last
 
   /** Walls that meet in an edge, the one that is taken there first. */
   def pairs: Seq[(Wall, Wall)] =

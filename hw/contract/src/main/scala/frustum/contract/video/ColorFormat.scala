@@ -2,7 +2,7 @@ package frustum.contract.video
 
 /** Bits of a colour's channels at a display's pins. */
 case class ColorFormat(name: String, red: Int, green: Int, blue: Int) {
-  def bits: Int          = red + green + blue
+  def bits: Int = red + green + blue
   def channels: Seq[Int] = Seq(red, green, blue)
   require(
     channels.forall(b => b >= 1 && b <= 8),

@@ -3,7 +3,7 @@ package frustum.contract.video
 /** Letters of 5 x 7 dots in cells of 8 x 8, for text on a display: code = ASCII - 32, 0 to 63. */
 object Font {
   val CodeBits = 6
-  val Cell     = 8
+  val Cell = 8
 
   /** Rows from the top, five dots each, the leftmost in the highest bit. */
   private val glyphs: Map[Char, String] = Map(

@@ -37,28 +37,28 @@ sealed abstract class Panel(
 
 object Panel {
   val ShortSide = 240
-  val LongSide  = 320
+  val LongSide = 320
 
   /** Both data sheets: 120 ms from the end of reset to sleep out; the same is given after sleep out. */
   val SettleMs = 120
 
   // Bits of memory access control.
-  val MirrorY  = 0x80
-  val MirrorX  = 0x40
+  val MirrorY = 0x80
+  val MirrorX = 0x40
   val Exchange = 0x20
-  val Bgr      = 0x08
+  val Bgr = 0x08
 
-  val SleepOut      = 0x11
-  val NormalMode    = 0x13
-  val InversionOff  = 0x20
-  val InversionOn   = 0x21
-  val DisplayOff    = 0x28
-  val DisplayOn     = 0x29
+  val SleepOut = 0x11
+  val NormalMode = 0x13
+  val InversionOff = 0x20
+  val InversionOn = 0x21
+  val DisplayOff = 0x28
+  val DisplayOn = 0x29
   val ColumnAddress = 0x2a
-  val RowAddress    = 0x2b
-  val MemoryWrite   = 0x2c
-  val MemoryAccess  = 0x36
-  val PixelFormat   = 0x3a
+  val RowAddress = 0x2b
+  val MemoryWrite = 0x2c
+  val MemoryAccess = 0x36
+  val PixelFormat = 0x3a
 
   /** Ilitek ILI9341: glass wired right to left, colour filter blue first. Its data sheet allows 10 MHz of SCK. */
   case object Ili9341 extends Panel("ili9341", portrait = MirrorX | Bgr, landscape = Exchange | Bgr, extra = Nil)

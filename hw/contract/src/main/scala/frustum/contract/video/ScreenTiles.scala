@@ -11,6 +11,6 @@ trait ScreenTiles {
 /** A screen of one tile: rows from the top, pixels from the left. */
 final case class WholeScreen(width: Int, height: Int) extends ScreenTiles {
   private def log2(n: Int) = 32 - Integer.numberOfLeadingZeros(n - 1)
-  val tileLog2Width: Int   = log2(width)
-  val tileLog2Height: Int  = log2(height)
+  val tileLog2Width: Int = log2(width)
+  val tileLog2Height: Int = log2(height)
 }

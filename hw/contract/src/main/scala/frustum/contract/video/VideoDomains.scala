@@ -4,5 +4,5 @@ import frustum.contract.ValidFor
 
 /** Where the methods of the displays keep their promises. */
 object VideoDomains {
-  val DitherBits  = ValidFor("dither", "dither-bits", "bits of a channel", 1, 8, 9, "of 255, mean of 4 x 4")
+  val DitherBits = ValidFor("dither", "dither-bits", "bits of a channel", 1, 8, 9, "of 255, mean of 4 x 4")
 }

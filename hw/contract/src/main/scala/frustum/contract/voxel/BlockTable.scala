@@ -22,10 +22,10 @@ final case class BlockType(
 final case class BlockTable(blocks: IndexedSeq[BlockType]) {
   require(blocks.length <= BlockTable.Most, s"${blocks.length} kinds of block; at most ${BlockTable.Most}")
   def apply(id: Int): BlockType = blocks(id - 1)
-  def ids: Range                = 1 to blocks.length
+  def ids: Range = 1 to blocks.length
 }
 
 object BlockTable {
   val IdBits = 5
-  val Most   = (1 << IdBits) - 1
+  val Most = (1 << IdBits) - 1
 }

@@ -17,11 +17,11 @@ final case class LeapField(mask: Int, bits: Int) {
   require(mask >= 0 && mask < 8, s"LeapField: mask $mask is not a set of three axes")
   require(bits >= 0 && bits <= 4, s"LeapField: distances of $bits bits; 0 to 4 are supported")
 
-  val most: Int      = 1 << bits
+  val most: Int = 1 << bits
   val axes: Seq[Int] = (0 until 3).filter(k => (mask >> k & 1) == 1)
-  val groups: Int    = 1 << axes.length
-  val payload: Int   = BlockTable.IdBits.max(groups * bits)
-  val wordBits: Int  = payload + 1
+  val groups: Int = 1 << axes.length
+  val payload: Int = BlockTable.IdBits.max(groups * bits)
+  val wordBits: Int = payload + 1
   require(
     wordBits <= 31,
     s"LeapField: $groups distances of $bits bits make a word of $wordBits bits; at most 31"
@@ -36,12 +36,12 @@ final case class LeapField(mask: Int, bits: Int) {
     case i  => 1 - 2 * (group >> i & 1)
   }
 
-  def wordOfBlock(id: Int): Int           = 1 << payload | id
+  def wordOfBlock(id: Int): Int = 1 << payload | id
   def wordOfAir(distances: Seq[Int]): Int = distances.zipWithIndex.map { case (d, g) =>
     (d - 1) << g * bits
   }.sum
-  def isBlock(word: Int): Boolean           = (word >> payload & 1) == 1
-  def id(word: Int): Int                    = if (isBlock(word)) word & (1 << BlockTable.IdBits) - 1 else 0
+  def isBlock(word: Int): Boolean = (word >> payload & 1) == 1
+  def id(word: Int): Int = if (isBlock(word)) word & (1 << BlockTable.IdBits) - 1 else 0
   def distance(word: Int, octant: Int): Int = (word >> group(octant) * bits & most - 1) + 1
 }
 

@@ -38,8 +38,8 @@ final case class VoxelConfig(
   val blockBits: Int = 33 - Integer.numberOfLeadingZeros(size.axes.max + VoxelConfig.Around + leaps.most)
 
   /** Signed, of the last border that a ray may cross. */
-  val endBits: Int   = blockBits + 1
-  val pixels: Int    = width * height
+  val endBits: Int = blockBits + 1
+  val pixels: Int = width * height
   val pixelBits: Int = 32 - Integer.numberOfLeadingZeros(pixels)
 
   /** Slabs a ray may cross until all of it is out of view, by the top three bits of its slopes. A point d
@@ -49,9 +49,9 @@ final case class VoxelConfig(
     yield ceil(distance / sqrt(1 + a * a / 64.0 + b * b / 64.0)).toInt + 1
 
   /** Squared view distance in texels; where fog begins; and what a squared texel adds to the fog's weight of 256, in 2^-16. */
-  val farSquared: Int        = square(16 * distance)
-  val fogSquared: Int        = square(12 * distance)
-  val fogStep: Int           = (256 << 16) / (farSquared - fogSquared)
+  val farSquared: Int = square(16 * distance)
+  val fogSquared: Int = square(12 * distance)
+  val fogStep: Int = (256 << 16) / (farSquared - fogSquared)
   private def square(n: Int) = n * n
 }
 

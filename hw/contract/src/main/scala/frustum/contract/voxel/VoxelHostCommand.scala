@@ -8,14 +8,14 @@ import frustum.contract.arithmetic.IntVector
 object VoxelHostCommand {
 
   /** A word of the world's memory: address and word, three bytes each. Distances are the host's affair. */
-  val Write: Int      = 'W'
+  val Write: Int = 'W'
   val WriteBytes: Int = 6
 
   /** A block: address and id. The board works out the distances. */
   val Block: Int = 'B'
 
   /** A camera: eye, look, base, right, down, three components each of three bytes. The picture is the camera's alone, nothing written over it. */
-  val Camera: Int      = 'C'
+  val Camera: Int = 'C'
   val CameraBytes: Int = 45
 
   /** As a camera, and the face in the picture's middle is highlighted. */
@@ -24,16 +24,16 @@ object VoxelHostCommand {
   /** Puts the player somewhere, whose view is shown from then on: feet, yaw, pitch, see [[VoxelRules]]. */
   val Player: Int = 'P'
 
-  val BlockBytes: Int  = 6
+  val BlockBytes: Int = 6
   val PlayerBytes: Int = 15
 
   /** Of the payload of each command. */
   val bytesOf: Map[Int, Int] = Map(
-    Write     -> WriteBytes,
-    Block     -> BlockBytes,
-    Camera    -> CameraBytes,
+    Write -> WriteBytes,
+    Block -> BlockBytes,
+    Camera -> CameraBytes,
     Highlight -> CameraBytes,
-    Player    -> PlayerBytes
+    Player -> PlayerBytes
   )
   val MostBytes: Int = bytesOf.values.max
 
@@ -45,9 +45,9 @@ object VoxelHostCommand {
     body :+ (-body.sum & 255)
   }
 
-  def write(address: Int, word: Int): Seq[Int]                = bytes(Write, Seq(address, word))
-  def block(address: Int, id: Int): Seq[Int]                  = bytes(Block, Seq(address, id))
-  def camera(c: VoxelCamera): Seq[Int]                        = bytes(Camera, c.numbers)
-  def highlight(c: VoxelCamera): Seq[Int]                     = bytes(Highlight, c.numbers)
+  def write(address: Int, word: Int): Seq[Int] = bytes(Write, Seq(address, word))
+  def block(address: Int, id: Int): Seq[Int] = bytes(Block, Seq(address, id))
+  def camera(c: VoxelCamera): Seq[Int] = bytes(Camera, c.numbers)
+  def highlight(c: VoxelCamera): Seq[Int] = bytes(Highlight, c.numbers)
   def player(feet: IntVector, yaw: Int, pitch: Int): Seq[Int] = bytes(Player, feet.axes ++ Seq(yaw, pitch))
 }

@@ -25,7 +25,7 @@ final case class VoxelTextures(indices: IndexedSeq[IndexedSeq[Int]], palettes: I
 }
 
 object VoxelTextures {
-  val Side   = 16
+  val Side = 16
   val Colors = 16
-  val Most   = 32
+  val Most = 32
 }

@@ -6,10 +6,10 @@ package frustum.contract.voxel
 final case class WorldSize(x: Int, y: Int, z: Int) {
   WorldSize.fault(x, y, z).foreach(fault => throw new IllegalArgumentException(fault))
 
-  val axes: Seq[Int]    = Seq(x, y, z)
-  val logs: Seq[Int]    = axes.map(Integer.numberOfTrailingZeros)
-  val blocks: Int       = x * y * z
-  val addressBits: Int  = logs.sum
+  val axes: Seq[Int] = Seq(x, y, z)
+  val logs: Seq[Int] = axes.map(Integer.numberOfTrailingZeros)
+  val blocks: Int = x * y * z
+  val addressBits: Int = logs.sum
   override def toString = s"${x}x${y}x$z"
 
   def contains(bx: Int, by: Int, bz: Int): Boolean =
@@ -22,7 +22,7 @@ final case class WorldSize(x: Int, y: Int, z: Int) {
 
 object WorldSize {
   val Least = 4
-  val Most  = 128
+  val Most = 128
 
   /** What is wrong with a size and what to do about it, or None. */
   def fault(x: Int, y: Int, z: Int): Option[String] = Option.unless(

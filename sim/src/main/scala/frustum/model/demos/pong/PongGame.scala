@@ -36,7 +36,7 @@ final case class PongGame(
     lost: Boolean = false,
     caught: Boolean = false
 ) {
-  def won: Boolean  = score == WinScore
+  def won: Boolean = score == WinScore
   def over: Boolean = won || lost
 
   private def moved(at: Int, less: Boolean, more: Boolean, limit: Int) = {
@@ -49,12 +49,12 @@ final case class PongGame(
     if (buttons.restart) PongGame.start
     else if (over) copy(caught = false)
     else {
-      val px           = moved(paddleX, buttons.left, buttons.right, PaddleX)
-      val py           = moved(paddleY, buttons.down, buttons.up, PaddleY)
+      val px = moved(paddleX, buttons.left, buttons.right, PaddleX)
+      val py = moved(paddleY, buttons.down, buttons.up, PaddleY)
       val Seq(x, y, z) = (0 to 2).map(a => puck(a).move(PuckLow(a), PuckHigh(a)))
-      val atWall       = puck(2).positive && puck(2).position + puck(2).speed >= PuckHigh.z
-      val (dx, dy)     = (x.position - px, y.position - py)
-      val hit          = atWall && dx.abs < Reach && dy.abs < Reach
+      val atWall = puck(2).positive && puck(2).position + puck(2).speed >= PuckHigh.z
+      val (dx, dy) = (x.position - px, y.position - py)
+      val hit = atWall && dx.abs < Reach && dy.abs < Reach
       if (!atWall) PongGame(Seq(x, y, z), px, py, score)
       else if (!hit) PongGame(Seq(x, y, z.copy(position = PuckHigh.z)), px, py, score, lost = true)
       else

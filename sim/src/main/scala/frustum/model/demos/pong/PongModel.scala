@@ -12,7 +12,7 @@ class PongModel(config: PongPipelineConfig) {
   /** What the overlay writes. */
   def text(game: PongGame): TextOverlay = TextOverlay(
     Seq(
-      config.score   -> Some(f"${game.score}%02d"),
+      config.score -> Some(f"${game.score}%02d"),
       config.message -> (if (game.won) Some("WIN!") else if (game.lost) Some("LOSE") else None)
     )
   )

@@ -44,7 +44,7 @@ final case class VoxelPlayer(
       pointedAt: Option[SeenFace],
       id: (Int, Int, Int) => Int
   ): (VoxelPlayer, Option[VoxelEdit]) = {
-    val (counted, change)           = edit(b, held, pointedAt, rules)
+    val (counted, change) = edit(b, held, pointedAt, rules)
     def now(x: Int, y: Int, z: Int) =
       change.filter(e => (e.x, e.y, e.z) == ((x, y, z))).fold(id(x, y, z))(_.id)
     (counted.tick(b, rules, solid(table, now)), change)
@@ -56,7 +56,7 @@ final case class VoxelPlayer(
     */
   def tick(b: VoxelButtons, rules: VoxelRules, solid: (Int, Int, Int) => Boolean): VoxelPlayer = {
     def both(plus: Boolean, minus: Boolean) = (if (plus) 1 else 0) - (if (minus) 1 else 0)
-    val turned                              = copy(
+    val turned = copy(
       yaw = floorMod(yaw + TurnStep * both(b.turnLeft, b.turnRight), Turn),
       pitch = (pitch + LookStep * both(b.lookUp, b.lookDown)).max(-MostPitch).min(MostPitch),
       item =
@@ -64,8 +64,8 @@ final case class VoxelPlayer(
       held = b
     )
     val (ahead, aside) = (both(b.forward, b.back), both(b.right, b.left))
-    val (c, s)         = (SineTable.coarse(turned.yaw + Turn / 4), SineTable.coarse(turned.yaw))
-    val (dx, dy)       = ((WalkStep * (ahead * c + aside * s)) >> 8, (WalkStep * (ahead * s - aside * c)) >> 8)
+    val (c, s) = (SineTable.coarse(turned.yaw + Turn / 4), SineTable.coarse(turned.yaw))
+    val (dx, dy) = ((WalkStep * (ahead * c + aside * s)) >> 8, (WalkStep * (ahead * s - aside * c)) >> 8)
     turned.moved(dx, dy, rules, b, solid)
   }
 
@@ -77,18 +77,18 @@ final case class VoxelPlayer(
       b: VoxelButtons,
       solid: (Int, Int, Int) => Boolean
   ): VoxelPlayer = {
-    def free(p: IntVector)                   = !rules.collision || !touches(p, solid) || touches(feet, solid)
+    def free(p: IntVector) = !rules.collision || !touches(p, solid) || touches(feet, solid)
     def step(from: IntVector, to: IntVector) = if (inRange(to, rules) && free(to)) to else from
-    val flat                                 = step(feet, IntVector(feet.x + dx, feet.y, feet.z))
-    val along                                = step(flat, IntVector(flat.x, flat.y + dy, flat.z))
-    val below                                = IntVector(along.x, along.y, along.z - 1)
-    val stands                               = step(along, below) == along
-    val lift                                 =
+    val flat = step(feet, IntVector(feet.x + dx, feet.y, feet.z))
+    val along = step(flat, IntVector(flat.x, flat.y + dy, flat.z))
+    val below = IntVector(along.x, along.y, along.z - 1)
+    val stands = step(along, below) == along
+    val lift =
       if (!rules.gravity) WalkStep * ((if (b.up) 1 else 0) - (if (b.down) 1 else 0))
       else if (stands && b.up) JumpSpeed
       else if (stands && rise <= 0) 0
       else (rise - Gravity).max(-MostFall)
-    val raised  = IntVector(along.x, along.y, along.z + lift)
+    val raised = IntVector(along.x, along.y, along.z + lift)
     val settled = step(along, raised)
     if (settled == raised) copy(feet = settled, rise = lift)
     else copy(feet = if (lift < 0) IntVector(along.x, along.y, along.z & ~255) else along, rise = 0)
@@ -104,8 +104,8 @@ final case class VoxelPlayer(
     pointedAt match {
       case Some(f) if b.destroy && !before.destroy => (this, Some(VoxelEdit(f.x, f.y, f.z, 0)))
       case Some(f) if b.place && !before.place     =>
-        val axis         = f.face / 2
-        val step         = if (f.face % 2 == 0) -1 else 1 // a ray that travels up meets the bottom
+        val axis = f.face / 2
+        val step = if (f.face % 2 == 0) -1 else 1 // a ray that travels up meets the bottom
         val Seq(x, y, z) = Seq(f.x, f.y, f.z).zipWithIndex.map { case (v, k) =>
           if (k == axis) v + step else v
         }

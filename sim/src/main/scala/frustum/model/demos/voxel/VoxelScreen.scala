@@ -21,10 +21,10 @@ final case class VoxelScreen(config: VoxelConsoleConfig) {
       readout.item -> marks.map(m => readout.name(m.item))
     ))
     Array.tabulate(mode.width * mode.height) { n =>
-      val (x, y)  = (n % mode.width, n / mode.width)
-      val (i, j)  = (x >> scale, y >> scale)
+      val (x, y) = (n % mode.width, n / mode.width)
+      val (i, j) = (x >> scale, y >> scale)
       val inverts = marks.isDefined && cross.covers(i, j)
-      val color   = small(j * voxel.width + i) ^ (if (inverts) (1 << format.bits) - 1 else 0)
+      val color = small(j * voxel.width + i) ^ (if (inverts) (1 << format.bits) - 1 else 0)
       VoxelScreen.cut(text(VoxelScreen.widened(color, format), x, y), format)
     }
   }

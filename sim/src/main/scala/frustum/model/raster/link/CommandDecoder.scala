@@ -12,20 +12,20 @@ final case class Job(bank: Int, triangleCount: Int, clearColor: Int, region: Til
   */
 final class CommandDecoder(config: RasterConfig) {
   val layout = StoreLayout(config)
-  val banks  = Array.fill(2, layout.bankWords)(CommandDecoder.Unwritten)
+  val banks = Array.fill(2, layout.bankWords)(CommandDecoder.Unwritten)
   val texels = Array.fill(config.textureTexels)(0)
-  val jobs   = ArrayBuffer.empty[Job]
+  val jobs = ArrayBuffer.empty[Job]
 
   var accepted, refused, verticesRefused, trianglesRefused, incomplete = 0L
 
-  private var open       = false
-  private var bank       = 0
-  private var tag        = 0
+  private var open = false
+  private var bank = 0
+  private var tag = 0
   private var clearColor = 0
-  private var region     = TileRegion(0, 0, 0, 0)
-  private var vertices   = 0 // arrived
-  private var triangles  = 0 // arrived
-  private var stored     = 0
+  private var region = TileRegion(0, 0, 0, 0)
+  private var vertices = 0 // arrived
+  private var triangles = 0 // arrived
+  private var stored = 0
 
   def execute(opcode: Int, words: Seq[Int]): Unit = {
     val done = Command.all.find(_.opcode == opcode) match {
@@ -54,7 +54,7 @@ final class CommandDecoder(config: RasterConfig) {
   }
 
   private def writeState(w: Seq[Int]): Boolean = {
-    val word    = w(2) << 16 | w(1)
+    val word = w(2) << 16 | w(1)
     val inRange = w(0) < RenderState.Count && ((word ^ config.fixed.value) & config.fixed.mask) == 0
     if (inRange && !config.fixed.whole) banks(bank)(layout.states + w(0)) = pair(w(1), w(2))
     inRange
@@ -72,7 +72,7 @@ final class CommandDecoder(config: RasterConfig) {
 
   /** The words are checked as they come; from the first one out of range on nothing is written but a tag that differs. */
   private def writeVertex(at: Int, v: Seq[Int]): Unit = {
-    val out   = (0 until 5).map(p => outOfRange(v, 2 * p + 2))
+    val out = (0 until 5).map(p => outOfRange(v, 2 * p + 2))
     val words = IndexedSeq(
       pair(v(0), v(1)),
       pair(v(2), v(3)),
@@ -86,7 +86,9 @@ final class CommandDecoder(config: RasterConfig) {
 
   /** Whether the first `known` words of a vertex suffice to refuse it: what is not known is taken to be in range. */
   private def outOfRange(v: Seq[Int], known: Int): Boolean =
-    PackedVertex.decode(v.take(known) ++ Seq(0, 0, 0, 0x8000, 0, 0, 0, 0, 0, 0).drop(known)).fault(config.ranges).isDefined
+    PackedVertex.decode(v.take(known) ++ Seq(
+      0, 0, 0, 0x8000, 0, 0, 0, 0, 0, 0
+    ).drop(known)).fault(config.ranges).isDefined
 
   private def writeTriangles(state: Int, w: Seq[Int]): Boolean = {
     val inRange = state < RenderState.Count
@@ -97,7 +99,7 @@ final class CommandDecoder(config: RasterConfig) {
   private def writeTriangle(state: Int, indices: Long): Unit = {
     triangles = (triangles + 1) & 0xfff
     val corners = Seq(20, 10, 0).map(shift => ((indices >> shift) & 1023).toInt)
-    val sent    = corners.forall { v =>
+    val sent = corners.forall { v =>
       v < config.maxVertices && banks(bank)(layout.vertexWords * v + 3) != CommandDecoder.Unwritten &&
       (banks(bank)(layout.vertexWords * v + 3) >> 25) == tag
     }

@@ -6,13 +6,13 @@ import scala.collection.mutable.ArrayBuffer
 /** Bytes of the wire to the commands that are right, see [[frustum.raster.link.Framer]]; there is always room. */
 final class Framer {
   private sealed trait State
-  private case object Stray   extends State
-  private case object Skip    extends State
+  private case object Stray extends State
+  private case object Skip extends State
   private case object Collect extends State
 
   private var state: State = Stray
-  private var escaped      = false
-  private val body         = ArrayBuffer.empty[Int]
+  private var escaped = false
+  private val body = ArrayBuffer.empty[Int]
 
   /** Commands dropped so far. */
   var dropped = 0L
@@ -53,7 +53,7 @@ final class Framer {
   private def finish(): Option[(Int, Seq[Int])] =
     if (Command.crc(body.toSeq) == 0) {
       state = Stray
-      val words  = body.slice(2, body.length - 2).grouped(2).map(p => p(0) << 8 | p(1)).toSeq
+      val words = body.slice(2, body.length - 2).grouped(2).map(p => p(0) << 8 | p(1)).toSeq
       val result = Some((body.head, words))
       body.clear()
       result

@@ -16,7 +16,7 @@ final case class LinkCounters(
   * [[frustum.raster.link.CommandLink]]; a host that heeds `cts` is assumed.
   */
 final class LinkModel(config: RasterConfig) {
-  val framer  = new Framer
+  val framer = new Framer
   val decoder = new CommandDecoder(config)
 
   def feed(bytes: Seq[Int]): Unit =

@@ -8,7 +8,7 @@ object TriangleBox {
   /** Pixels of 0 until `limit` whose centres lie in the coordinates' range, as first and one past the last. */
   def pixels(coordinates: Seq[Int], limit: Int): (Int, Int) = {
     val first = scala.math.floorDiv(coordinates.min + 7, 16)
-    val end   = scala.math.floorDiv(coordinates.max + 8, 16)
+    val end = scala.math.floorDiv(coordinates.max + 8, 16)
     (first.max(0).min(limit), end.max(0).min(limit))
   }
 

@@ -10,12 +10,12 @@ import frustum.contract.raster.SetupWords._
   */
 final class TriangleSetup(planes: Seq[Int] = SetupWords.AllPlanes) {
   private val program = SetupProgram(planes)
-  private val word    = new Array[Int](Shared + SharedWords)
+  private val word = new Array[Int](Shared + SharedWords)
   SetupWords.constants.foreach { case (at, value) => word(at) = value }
 
   private var accumulator = 0L
-  private var sliver      = false
-  private var overflow    = false
+  private var sliver = false
+  private var overflow = false
 
   /** Per plane: change from pixel to pixel, and from row to row. */
   val gradientX = new Array[Int](Planes)
@@ -103,9 +103,9 @@ final class TriangleSetup(planes: Seq[Int] = SetupWords.AllPlanes) {
   }
 
   private def run(section: Seq[SetupInstruction]): Unit = section.foreach { i =>
-    val b     = word(i.b)
+    val b = word(i.b)
     val falls = (b < 0) != i.subtract
-    val a     =
+    val a =
       if (i.a == Left && falls != i.far) word(Right)
       else if (i.a == Top && i.far && !falls) word(Bottom)
       else word(i.a)
@@ -117,7 +117,7 @@ final class TriangleSetup(planes: Seq[Int] = SetupWords.AllPlanes) {
     }
     val product = (a.toLong * b) >> 16
     accumulator = ((if (i.subtract) start - product else start + product) << 16) >> 16
-    def integer  = accumulator.toInt
+    def integer = accumulator.toInt
     def fraction = (accumulator >> 14).toInt
     def gradient = if (sliver) integer else fraction
     i.result match {

@@ -7,7 +7,7 @@ object PerspectiveDivide extends Divide {
   def exponent(q: Int): Int = Integer.numberOfLeadingZeros((q << 1) | (1 << 16))
 
   def quotient(s: Int, exponent: Int, reciprocal: Int): Int = {
-    val sn      = (s << exponent) >> 1 | 15
+    val sn = (s << exponent) >> 1 | 15
     val product = (sn >> 16) * reciprocal + (((sn & 0xffff) * reciprocal) >>> 16)
     (2 * sn - product - 1) >> 5
   }

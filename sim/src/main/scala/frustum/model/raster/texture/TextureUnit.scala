@@ -8,8 +8,8 @@ object TextureUnit {
   /** Texel along one axis of 2^log2 texels, from a coordinate in repeats with 17 fraction bits. */
   def index(coordinate: Int, wrap: Wrap, log2: Int): Int = {
     val fraction = (coordinate >> 10) & 127
-    val integer  = coordinate >> 17
-    val wrapped  = wrap match {
+    val integer = coordinate >> 17
+    val wrapped = wrap match {
       case Wrap.Repeat => fraction
       case Wrap.Mirror => if ((integer & 1) != 0) 127 - fraction else fraction
       case Wrap.Clamp  => if (integer < 0) 0 else if (integer > 0) 127 else fraction
@@ -19,8 +19,8 @@ object TextureUnit {
 
   /** The texel read for a fragment, `texelT << 8 | texelS`; the state must have a texture. */
   def texel(divide: Divide, s: Int, t: Int, q: Int, state: RenderState): Int = {
-    val texture    = state.texture.get
-    val exponent   = divide.exponent(q)
+    val texture = state.texture.get
+    val exponent = divide.exponent(q)
     val reciprocal = divide.reciprocal(q, exponent)
     index(divide.quotient(t, exponent, reciprocal), state.wrapT, texture.log2Height) << 8 |
       index(divide.quotient(s, exponent, reciprocal), state.wrapS, texture.log2Width)
@@ -34,7 +34,7 @@ object TextureUnit {
     if (!rgba4444) (word & 0xffff) << 5 | 31
     else {
       def five(n: Int) = n << 1 | n >> 3
-      val g            = (word >> 8) & 15
+      val g = (word >> 8) & 15
       five((word >> 12) & 15) << 16 | (g << 2 | g >> 2) << 10 | five((word >> 4) & 15) << 5 | five(word & 15)
     }
 }

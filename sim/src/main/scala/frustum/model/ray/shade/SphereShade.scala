@@ -34,9 +34,9 @@ class SphereShade(format: RayShade) {
     val d = (power << fraction) - 2 * m
     if (m <= 0 || d <= 0 || power <= 0) 0
     else {
-      val n       = steps(d, distanceBits, DistanceWindow)
-      val x       = right(d, distanceBits - 16 - DistanceWindow.step * n).toInt
-      val scaled  = right(m, scaleShift - DistanceWindow.step / 2 * n)
+      val n = steps(d, distanceBits, DistanceWindow)
+      val x = right(d, distanceBits - 16 - DistanceWindow.step * n).toInt
+      val scaled = right(m, scaleShift - DistanceWindow.step / 2 * n)
       val product = (scaled & 0xffff) * distance(x)
       (product >> LevelShift).min(Levels - 1).toInt
     }

@@ -17,18 +17,18 @@ final class Marcher(c: VoxelConfig, table: BlockTable, words: Array[Int]) {
 
   /** Visits the faces from the front until an opaque one, the edge of the world or the end of view; gives the steps. */
   def march(ray: RayStart)(visit: FaceHit => Unit): Int = {
-    val Seq(a, b)           = ray.others
+    val Seq(a, b) = ray.others
     val Seq(slopeA, slopeB) = ray.slopes.map(_.toLong << c.eyeBits)
-    val octant              = ray.octant
-    var plane               = ray.plane
-    var (atA, atB)          = (ray.at(0), ray.at(1))
-    var (pastA, pastB)      = (ray.crossed(0), ray.crossed(1))
-    var entry               = -1
-    var (previous, steps)   = (0, 0)
-    val end                 = ray.plane + ray.slabs
-    val block               = new Array[Int](3)
-    def floor(at: Long)     = (at >> shift).toInt
-    var marching            = true
+    val octant = ray.octant
+    var plane = ray.plane
+    var (atA, atB) = (ray.at(0), ray.at(1))
+    var (pastA, pastB) = (ray.crossed(0), ray.crossed(1))
+    var entry = -1
+    var (previous, steps) = (0, 0)
+    val end = ray.plane + ray.slabs
+    val block = new Array[Int](3)
+    def floor(at: Long) = (at >> shift).toInt
+    var marching = true
     while (marching) {
       steps += 1
       block(ray.fast) = plane
@@ -37,16 +37,16 @@ final class Marcher(c: VoxelConfig, table: BlockTable, words: Array[Int]) {
       if (plane > end || (0 to 2).exists(k => block(k) >= whole(k))) marching = false
       else {
         val inside = block.forall(_ >= 0)
-        val word   = if (inside) words(address(block, ray.mirrored)) else 0
-        val id     = c.leaps.id(word)
+        val word = if (inside) words(address(block, ray.mirrored)) else 0
+        val id = c.leaps.id(word)
         if (id != 0 && entry >= 0 && !(id == previous && table(id).joins)) {
           visit(FaceHit(ray, id, block.toSeq, entry, Seq(atA, atB)))
           if (table(id).opaque) marching = false
         }
         previous = id
-        val reach        = if (inside && id == 0) c.leaps.distance(word, octant) else 1
+        val reach = if (inside && id == 0) c.leaps.distance(word, octant) else 1
         val (farA, farB) = (atA + reach * slopeA, atB + reach * slopeB)
-        val fits         = floor(farA) - block(a) < reach && floor(farB) - block(b) < reach
+        val fits = floor(farA) - block(a) < reach && floor(farB) - block(b) < reach
         if (fits || reach > 1) { // the far side of the cube, or the border before it
           val back = if (fits) 0 else 1
           plane += reach - back
@@ -58,7 +58,7 @@ final class Marcher(c: VoxelConfig, table: BlockTable, words: Array[Int]) {
         } else {
           val crossA = !pastA && floor(farA) > floor(atA)
           val crossB = !pastB && floor(farB) > floor(atB)
-          val first  = crossA && (!crossB || sooner(ray, atA, atB))
+          val first = crossA && (!crossB || sooner(ray, atA, atB))
           if (first) pastA = true else pastB = true
           entry = if (first) 1 else 2
         }

@@ -25,7 +25,7 @@ final case class RayStart(
     slabs: Int
 ) {
   def others: Seq[Int] = Seq((fast + 1) % 3, (fast + 2) % 3)
-  def octant: Int      = mirrored.zipWithIndex.map { case (m, k) => if (m) 1 << k else 0 }.sum
+  def octant: Int = mirrored.zipWithIndex.map { case (m, k) => if (m) 1 << k else 0 }.sum
 
   /** Whether the position along the i-th of the other axes is one unit low. */
   def low(i: Int): Boolean = others(i) > fast && slopes(i) != 0

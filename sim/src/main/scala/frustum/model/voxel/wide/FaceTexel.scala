@@ -28,25 +28,25 @@ object FaceTexel {
   }
 
   def apply(hit: FaceHit, eye: Seq[Int], c: VoxelConfig): FaceTexel = {
-    val ray        = hit.ray
-    val axes       = ray.fast +: ray.others
-    val t          = new Array[Int](3) // texels within the block, mirrored
-    val one        = 1L << c.fractionBits
+    val ray = hit.ray
+    val axes = ray.fast +: ray.others
+    val t = new Array[Int](3) // texels within the block, mirrored
+    val one = 1L << c.fractionBits
     def at(i: Int) = hit.at(i) + (if (ray.low(i)) 1 else 0) - hit.block(ray.others(i)) * one
     if (hit.entry == 0)
       for (i <- 0 to 1) t(ray.others(i)) = (at(i) >> c.fractionBits - 4).toInt.min(15)
     else {
       val (own, other) = (hit.entry - 1, 2 - hit.entry)
-      val (p, q)       = (ray.slopes(own).toLong, ray.slopes(other).toLong)
-      val run          = -at(own) // to the border crossed, along its axis
+      val (p, q) = (ray.slopes(own).toLong, ray.slopes(other).toLong)
+      val run = -at(own) // to the border crossed, along its axis
       t(ray.fast) = sixteenths(run, p << c.eyeBits)
       t(ray.others(other)) = sixteenths(at(other) * p + run * q, p << c.fractionBits)
     }
-    val axis     = axes(hit.entry)
+    val axis = axes(hit.entry)
     val mirrored = ray.mirrored
-    val face     = 2 * axis + (if (mirrored(axis)) 1 else 0)
-    val (u, v)   = uv(face, (0 to 2).map(k => if (mirrored(k)) 15 - t(k) else t(k)))
-    val away     = (0 to 2).map { k =>
+    val face = 2 * axis + (if (mirrored(axis)) 1 else 0)
+    val (u, v) = uv(face, (0 to 2).map(k => if (mirrored(k)) 15 - t(k) else t(k)))
+    val away = (0 to 2).map { k =>
       val from = if (mirrored(k)) (c.size.axes(k) << c.eyeBits) - eye(k) else eye(k)
       16 * hit.block(k) + t(k) - (from >> c.eyeBits - 4)
     }

@@ -33,7 +33,7 @@ object LayerComposite {
   def face(texel: Int, face: Int, farSquared: Int, pointedAt: Boolean, c: VoxelConfig): Seq[Int] = {
     val fog = if (c.fog) ((farSquared - c.fogSquared).max(0).toLong * c.fogStep >> 16).toInt else 0
     Seq(12, 8, 4).zip(channels(c.sky)).map { case (at, sky) =>
-      val lit   = (texel >> at & 15) * 17 * VoxelConfig.Light(face) >> 8
+      val lit = (texel >> at & 15) * 17 * VoxelConfig.Light(face) >> 8
       val shown = if (pointedAt) (lit * 120 * 257 >> 16) + 125 else lit
       shown + ((sky - shown) * fog >> 8)
     }

@@ -9,26 +9,26 @@ object VoxelRaySetup {
 
   /** |minor / major| with 15 fraction bits by the reciprocal of the major's mantissa, 1 / (1 + f) = 1 - r / 2. */
   private def slope(minor: Int, major: Int, c: VoxelConfig): Int = {
-    val half     = major >> Bits == 0 // below 1, at least 1/2
+    val half = major >> Bits == 0 // below 1, at least 1/2
     val fraction = (if (half) major >> 1 else major >> 2) & (1 << 20) - 1
-    val v        = if (half) minor >> 6 else minor >> 7
+    val v = if (half) minor >> 6 else minor >> 7
     val quotient = v - (v.toLong * ReciprocalTable(fraction) >> 17).toInt
     quotient.min((1 << 15) - 1) >> 15 - c.slopeBits
   }
 
   def apply(eye: Seq[Int], direction: Seq[Int], c: VoxelConfig): RayStart = {
-    val mirrored  = direction.map(_ < 0)
+    val mirrored = direction.map(_ < 0)
     val magnitude = direction.map(_.abs)
     require(
       magnitude.max >> Bits - 1 != 0 && magnitude.max >> Bits + 1 == 0,
       s"direction $direction is out of range"
     )
-    val fast   = magnitude.indexOf(magnitude.max)
+    val fast = magnitude.indexOf(magnitude.max)
     val others = Seq((fast + 1) % 3, (fast + 2) % 3)
     val slopes = others.map(k => slope(magnitude(k), magnitude(fast), c))
-    val p      = (0 to 2).map(k => if (mirrored(k)) (c.size.axes(k) << c.eyeBits) - eye(k) else eye(k))
+    val p = (0 to 2).map(k => if (mirrored(k)) (c.size.axes(k) << c.eyeBits) - eye(k) else eye(k))
     val behind = p(fast) & (1 << c.eyeBits) - 1
-    val at     = others.zip(slopes).map { case (k, s) =>
+    val at = others.zip(slopes).map { case (k, s) =>
       (p(k).toLong << c.slopeBits) - s.toLong * behind - (if (k > fast && s != 0) 1 else 0)
     }
     RayStart(

@@ -6,7 +6,7 @@ import frustum.scene.VoxelWorld
 /** The words of the hardware's world memory for a world. */
 object LeapWords {
   def apply(world: VoxelWorld, field: LeapField): Array[Int] = {
-    val size   = world.size
+    val size = world.size
     val groups = (0 until field.groups).map(distances(world, field, _))
     Array.tabulate(size.blocks) { i =>
       if (world.ids(i) != 0) field.wordOfBlock(world.ids(i)) else field.wordOfAir(groups.map(_(i).toInt))
@@ -17,7 +17,7 @@ object LeapWords {
     * the block and at its neighbours on that side are: so each round adds one.
     */
   private def distances(world: VoxelWorld, field: LeapField, group: Int): Array[Byte] = {
-    val size       = world.size
+    val size = world.size
     val neighbours = for {
       dx <- steps(field.side(group, 0)); dy <- steps(field.side(group, 1)); dz <- steps(field.side(group, 2))
       if (dx, dy, dz) != ((0, 0, 0))

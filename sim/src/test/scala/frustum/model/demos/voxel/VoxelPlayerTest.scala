@@ -10,7 +10,7 @@ import scala.util.Random
 
 /** Movement and edits of the player of a voxel world. */
 class VoxelPlayerTest extends AnyFunSuite {
-  private val size  = WorldSize(16, 16, 16)
+  private val size = WorldSize(16, 16, 16)
   private val rules = VoxelRules(size, 24)
   private val floor = (_: Int, _: Int, z: Int) => z < 4
 
@@ -48,7 +48,7 @@ class VoxelPlayerTest extends AnyFunSuite {
 
   test("a jump clears one block and not two") {
     def wall(height: Int)(x: Int, y: Int, z: Int) = z < 4 || x >= 10 && z < 4 + height
-    val buttons                                   = VoxelButtons(forward = true, up = true)
+    val buttons = VoxelButtons(forward = true, up = true)
     assert(run(at(8, 8, 4), buttons, 60, wall(1)).feet.x > 11 * 256)
     val stopped = run(at(8, 8, 4), buttons, 60, wall(2)).feet
     assert(stopped.x <= 10 * 256 - VoxelRules.HalfWidth)
@@ -57,7 +57,7 @@ class VoxelPlayerTest extends AnyFunSuite {
 
   test("a wall stops one axis, the other slides") {
     val wall = (x: Int, _: Int, z: Int) => z < 4 || x >= 10
-    val p    = run(at(9, 4, 4, yaw = 128), VoxelButtons(forward = true), 30, wall)
+    val p = run(at(9, 4, 4, yaw = 128), VoxelButtons(forward = true), 30, wall)
     assert(p.feet.x <= 10 * 256 - VoxelRules.HalfWidth && p.feet.y > 6 * 256)
   }
 
@@ -65,7 +65,7 @@ class VoxelPlayerTest extends AnyFunSuite {
     for (seed <- 1 to 20) {
       val random = new Random(seed)
       val solids = Array.fill(16 * 16 * 16)(random.nextInt(8) == 0)
-      val solid  =
+      val solid =
         (x: Int, y: Int, z: Int) => z < 0 || size.contains(x, y, z) && z < 12 && solids(size.address(x, y, z))
       var p = at(8.5, 8.5, 13)
       for (_ <- 0 until 500) {
@@ -101,10 +101,10 @@ class VoxelPlayerTest extends AnyFunSuite {
   }
 
   test("destroys what is pointed at, places before the face that is seen, once a press") {
-    val p                = at(8, 8, 4).copy(item = 7)
-    val none             = VoxelButtons()
+    val p = at(8, 8, 4).copy(item = 7)
+    val none = VoxelButtons()
     val (place, destroy) = (VoxelButtons(place = true), VoxelButtons(destroy = true))
-    def seen(face: Int)  = Some(SeenFace(3, 4, 5, 1, face, 0, 0))
+    def seen(face: Int) = Some(SeenFace(3, 4, 5, 1, face, 0, 0))
     assert(p.edit(destroy, none, seen(0), rules)._2.contains(VoxelEdit(3, 4, 5, 0)))
     val beside = Seq((2, 4, 5), (4, 4, 5), (3, 3, 5), (3, 5, 5), (3, 4, 4), (3, 4, 6))
     for (((x, y, z), face) <- beside.zipWithIndex)
@@ -118,7 +118,7 @@ class VoxelPlayerTest extends AnyFunSuite {
 
   test("placing outside of the world or into oneself is refused and counted") {
     val place = VoxelButtons(place = true)
-    val p     = at(8.5, 8.5, 4)
+    val p = at(8.5, 8.5, 4)
     for (
       f <- Seq(
         SeenFace(0, 5, 5, 1, 0, 0, 0),
