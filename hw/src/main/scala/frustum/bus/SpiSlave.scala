@@ -1,6 +1,5 @@
 package frustum.bus
 
-import frustum.raster.link.LinkStatus
 import spinal.core._
 import spinal.lib._
 
@@ -17,14 +16,19 @@ case class CommandPins() extends Bundle with IMasterSlave {
   * A byte waits in a register of the SCK domain while a toggle crosses to the core; it leaves `bytes` three to four
   * core clocks after its last bit and must be taken before the next.
   *
-  * MISO answers every frame with the bytes of [[LinkStatus]]. A byte is asked for while the one before it is being
-  * sent, so its value is at most two bytes old.
+  * MISO answers every frame of chip select with `firstByte`, `secondByte` and then bytes of the core's. A byte is asked for by its
+  * index while the one before it is being sent, so its value is at most two bytes old. In a longer frame bytes 1 to 8
+  * repeat.
+  *
+  * @param firstByte  byte 0 of an answer
+  * @param secondByte byte 1, a constant because nothing can be prepared while byte 0 is sent
   */
-case class SpiSlave() extends Component {
+case class SpiSlave(firstByte: Int, secondByte: Int) extends Component {
   val io = new Bundle {
     val pins = slave(CommandPins())
     val bytes = master(Stream(Bits(8 bits)))
-    val status = in(LinkStatus())
+    val ask = out UInt (3 bits) // index, modulo 8, of the byte of the answer that is prepared next
+    val answer = in Bits (8 bits) // that byte
   }
 
   // Whoever drives the pins, their timing is SCK's.
@@ -57,8 +61,8 @@ case class SpiSlave() extends Component {
     }
   }
   val falling = new ClockingArea(SpiSlave.domain(io.pins, FALLING)) {
-    val shift = Reg(Bits(8 bits)) init LinkStatus.Magic
-    val next = Mux(rising.first, B(LinkStatus.Version, 8 bits), statusByte.addTag(crossClockDomain))
+    val shift = Reg(Bits(8 bits)) init firstByte
+    val next = Mux(rising.first, B(secondByte, 8 bits), statusByte.addTag(crossClockDomain))
     // Nothing is prepared while the first byte comes, so the second byte of the answer is a constant.
     shift := Mux(rising.ended, next, shift |<< 1)
   }
@@ -73,8 +77,8 @@ case class SpiSlave() extends Component {
   io.bytes.payload := byte
 
   // When byte n has arrived, byte n + 1 of the answer is on the wire, n + 2 is prepared, and `index` is n + 1.
-  val ask = rising.index.addTag(crossClockDomain) + 1
-  when(arrived)(statusByte := io.status.select(ask))
+  io.ask := rising.index.addTag(crossClockDomain) + 1
+  when(arrived)(statusByte := io.answer)
 }
 
 object SpiSlave {

@@ -40,7 +40,7 @@ case class CompactVoxelPipeline(
     val pointedAt = out(PointedAt(c))
     val step = out Bool ()
   }
-  private val stages = MarcherStages.Small
+  private val stages = MarcherStages.Compact
   val cameras = CameraMemory(c, camera)
   val rays = CompactRays(c, tech)
   val marcher = Marcher(c, assets.table, tech, stages)

@@ -1,10 +1,10 @@
 package frustum.boards
 
+// docs/reuse.md quotes what follows.
 import frustum.contract.raster.RasterConfig
 import frustum.contract.video.Panel
 import frustum.video.{DisplayPins, ResolvedPixel, SpiDisplay}
 
-// docs/reuse.md quotes what follows.
 import spinal.core._
 import spinal.lib._
 

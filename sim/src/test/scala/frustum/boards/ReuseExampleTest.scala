@@ -9,7 +9,7 @@ class ReuseExampleTest extends AnyFunSuite {
     val directory = Files.createTempDirectory("reuse")
     SpinalConfig(targetDirectory = directory.toString, verbose = false).generateVerilog(ColorScreen(25000000))
     val source = Files.readString(Paths.get("sim/src/test/scala/frustum/boards/ReuseExample.scala"))
-    val quoted = source.substring(source.indexOf("import frustum.display")).trim
+    val quoted = source.substring(source.indexOf("import frustum.contract.raster")).trim
     assert(Files.readString(Paths.get("docs/reuse.md")).contains(quoted))
   }
 }

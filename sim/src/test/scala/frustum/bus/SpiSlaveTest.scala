@@ -25,13 +25,13 @@ case class SpiLinkTop(config: RasterConfig) extends Component {
     val job = master(Stream(FrameJob(config)))
     val jobDone = in Bool ()
   }
-  val spi = SpiSlave()
+  val spi = SpiSlave(LinkStatus.Magic, LinkStatus.Version)
   val link = CommandLink(config)
   val store = Store(StoreLayout(config), 2, Tech.Generic)
   store.io.clients(0) <> io.rival
   store.io.clients(1) <> link.io.store
   spi.io.pins <> io.pins
-  spi.io.status := link.io.status
+  spi.io.answer := link.io.status.select(spi.io.ask)
   spi.io.bytes >> link.io.bytes
   link.io.texels >> io.texels
   link.io.job >> io.job

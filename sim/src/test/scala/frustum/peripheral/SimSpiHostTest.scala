@@ -27,13 +27,13 @@ case class SimSpiHostTop(config: RasterConfig, halfPeriod: Int) extends Componen
     val status = out(LinkStatus())
   }
   val host = SimSpiHost(bytesLog2 = 14, halfPeriod)
-  val spi = SpiSlave()
+  val spi = SpiSlave(LinkStatus.Magic, LinkStatus.Version)
   val link = CommandLink(config)
   val store = Store(StoreLayout(config), 2, Tech.Generic)
   store.io.clients(0) <> io.rival
   store.io.clients(1) <> link.io.store
   spi.io.pins <> host.io.pins
-  spi.io.status := link.io.status
+  spi.io.answer := link.io.status.select(spi.io.ask)
   spi.io.bytes >> link.io.bytes
   host.io.cts := link.io.status.cts
   host.io.bytes := io.bytes

@@ -5,6 +5,7 @@ import frustum.contract.raster.RasterConfig
 import frustum.contract.video.Panel
 import frustum.device.Tech
 import frustum.raster.RasterPipeline
+import frustum.raster.link.LinkStatus
 import frustum.video.{PassThrough, SpiDisplay}
 import spinal.core._
 
@@ -20,14 +21,14 @@ case class RasterTop(config: RasterConfig, panel: Panel, coreMHz: BigDecimal, te
 
   val clocking = new IcebreakerClock(io.clk, io.resetn, coreMHz, tech)
   val core = new ClockingArea(clocking.domain) {
-    val slave = SpiSlave()
+    val slave = SpiSlave(LinkStatus.Magic, LinkStatus.Version)
     val pipeline = RasterPipeline(config, tech = tech)
     val display = SpiDisplay(config, panel, (coreMHz * 1000000).toLong, fast = fast)
     val through = PassThrough()
 
     slave.io.pins <> io.host
     slave.io.bytes >> pipeline.io.bytes
-    slave.io.status := pipeline.io.status
+    slave.io.answer := pipeline.io.status.select(slave.io.ask)
     io.cts := RegNext(pipeline.io.status.cts, False)
     pipeline.io.pixels >> display.io.pixels
     through.io.core <> display.io.pins

@@ -25,5 +25,5 @@ object MarcherStages {
   val Fast = MarcherStages(1, 2, 4, 5, 6, slots = 7, retries = false, narrow = false)
 
   /** As few registers as go with some 25 MHz on an iCE40UP5K. */
-  val Small = MarcherStages(1, 1, 3, 3, 4, slots = 4, retries = true, narrow = true)
+  val Compact = MarcherStages(1, 1, 3, 3, 4, slots = 4, retries = true, narrow = true)
 }

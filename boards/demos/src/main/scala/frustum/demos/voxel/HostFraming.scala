@@ -34,7 +34,7 @@ case class HostFraming(bytesOf: Map[Int, Int], silence: Int) extends Component {
   io.payload.payload := io.bytes.payload
   io.whole := io.bytes.valid && last && total === 0
 
-  private val unknown = io.begins && !bytesOf.keys.map(byte === _).orR
+  private val unknown = io.begins && !bytesOf.keys.toSeq.sorted.map(byte === _).orR
   private val damaged = io.bytes.valid && last && total =/= 0
   private val cutShort = !io.bytes.valid && quiet && !idle
   when(io.bytes.valid) {
