@@ -40,7 +40,6 @@ lazy val hw = (project in file("hw")).dependsOn(contract).settings(spinal, publi
 /** The driver of a host: matrices, clipping, submission. */
 lazy val driver = (project in file("driver/scala"))
   .dependsOn(contract)
-  .settings(published)
   .settings(name := "frustum-driver", libraryDependencies += joml)
 
 /** Games, players, consoles and their art, which boards and workbench share. */

@@ -49,8 +49,8 @@ object Ice40PllSettings {
     val candidates = all(inputMHz)
     require(candidates.nonEmpty, s"no iCE40 PLL setting accepts a reference of $inputMHz MHz (10..133)")
     candidates.find(_.outputMHz == outputMHz).getOrElse {
-      val below = candidates.map(_.outputMHz).filter(_ < outputMHz).maxOption
-      val above = candidates.map(_.outputMHz).filter(_ > outputMHz).minOption
+      val below = candidates.map(_.outputMHz).filter(_ < outputMHz).reduceOption(_ max _)
+      val above = candidates.map(_.outputMHz).filter(_ > outputMHz).reduceOption(_ min _)
       val near = (below ++ above).mkString(" or ")
       throw new IllegalArgumentException(
         s"requirement failed: an iCE40 PLL cannot make $outputMHz MHz of $inputMHz MHz; the nearest is $near MHz"

@@ -21,7 +21,7 @@ class SurfaceCells(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline,
   /** Lowest bits of the number along coordinate 0 and 1, at node `start` + 1 + stages. */
   val bits: Seq[Bits] = (0 to 1).map { j =>
     val looking = surfaces.filter(_.bits(j) > 0)
-    val keep = looking.map(_.bits(j)).maxOption.getOrElse(0)
+    val keep = looking.map(_.bits(j)).reduceOption(_ max _).getOrElse(0)
     if (keep == 0) B(0, 0 bits)
     else {
       def shifted(s: Surface) = walkers.width(s.forms(j)) - s.paint.cellBits

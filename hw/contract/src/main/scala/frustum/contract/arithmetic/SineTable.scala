@@ -1,6 +1,7 @@
 package frustum.contract.arithmetic
 
-import scala.math.{Pi, floorMod, round, sin}
+import java.lang.Math.floorMod
+import scala.math.{Pi, round, sin}
 
 /** Sines of 1/1024 turns, 16 fraction bits, rounded: a quarter of them is kept. */
 object SineTable {

@@ -47,11 +47,8 @@ final case class FixedState(mask: Int, value: Int) {
   /** What keeps the hardware from drawing with a state, or None. */
   def fault(s: RenderState): Option[String] = {
     val differs = (FixedState.word(s) ^ value) & mask
-    Option.when(differs != 0)(
-      "needs another " + FixedState.fields.collect {
-        case (name, bits) if (differs & bits) != 0 => name
-      }.mkString(", ")
-    )
+    val names = FixedState.fields.collect { case (name, bits) if (differs & bits) != 0 => name }
+    if (differs == 0) None else Some("needs another " + names.mkString(", "))
   }
 }
 

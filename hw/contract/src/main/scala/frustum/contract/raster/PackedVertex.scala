@@ -86,8 +86,8 @@ object PackedVertex {
   /** 1/w as mantissa and exponent, rounded to nearest; w must lie in [[Domain.MinW]]..[[Domain.MaxW]]. */
   def reciprocalW(w: Double): (Int, Int) = {
     require(w >= Domain.MinW && w <= Domain.MaxW, s"w = $w is outside ${Domain.MinW}..${Domain.MaxW}")
-    val e = scala.math.getExponent(1 / w)
-    val m = scala.math.round(scala.math.scalb(1 / w, 15 - e)).toInt
+    val e = java.lang.Math.getExponent(1 / w)
+    val m = scala.math.round(java.lang.Math.scalb(1 / w, 15 - e)).toInt
     if (m == 65536) (32768, e + 17) else (m, e + 16)
   }
 }

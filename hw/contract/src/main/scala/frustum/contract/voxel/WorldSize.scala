@@ -25,7 +25,7 @@ object WorldSize {
   val Most = 128
 
   /** What is wrong with a size and what to do about it, or None. */
-  def fault(x: Int, y: Int, z: Int): Option[String] = Option.unless(
-    Seq(x, y, z).forall(n => n >= Least && n <= Most && Integer.bitCount(n) == 1)
-  )(s"a world of ${x}x${y}x$z blocks: each side must be a power of two from $Least to $Most")
+  def fault(x: Int, y: Int, z: Int): Option[String] =
+    if (Seq(x, y, z).forall(n => n >= Least && n <= Most && Integer.bitCount(n) == 1)) None
+    else Some(s"a world of ${x}x${y}x$z blocks: each side must be a power of two from $Least to $Most")
 }
