@@ -27,7 +27,7 @@ object CommandPage {
       "*Printed from the table `frustum.contract.raster.Command` and the formats beside it by " +
         "`./sbt \"sim/runMain frustum.command.CommandPage\"`; a test fails when it is stale. Edit those, not this page.*"
     ) ++ CommandPageText.framing ++ overview ++ Command.all.flatMap(section) ++ vertex ++ state ++
-      CommandPageText.flow ++ CommandPageText.status).mkString("", "\n\n", "\n")
+      CommandPageText.flow ++ CommandPageText.status).map(WrappedText(_)).mkString("", "\n\n", "\n")
 
   private def hex(v: Int, digits: Int = 2): String = s"0x%0${digits}X".format(v)
 
@@ -49,7 +49,7 @@ object CommandPage {
     ),
     "A frame is `begin`, any `state`, `vertices` and `triangles`, then `draw`; vertices come before the triangles that " +
       "name them, states before `draw`. `texels` may stand anywhere. A frame that is incomplete is counted and drawn with what " +
-      "has come."
+      "has arrived."
   )
 
   private def section(c: Command): Seq[String] = Seq(
