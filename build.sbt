@@ -61,6 +61,7 @@ lazy val sim = (project in file("sim"))
     libraryDependencies ++= Seq(
       "com.github.spinalhdl" %% "spinalhdl-sim" % spinalVersion,
       joml,
+      "com.twelvemonkeys.imageio" % "imageio-tga" % "3.13.1",
       "com.github.scopt" %% "scopt" % "4.1.0",
       "me.tongfei" % "progressbar" % "0.10.1",
       "org.knowm.xchart" % "xchart" % "3.8.8",

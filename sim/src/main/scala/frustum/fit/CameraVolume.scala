@@ -1,8 +1,9 @@
 package frustum.fit
 
 import frustum.contract.InputError
-import frustum.driver.scene.Camera
+import frustum.driver.scene.{Camera, Scene}
 import frustum.files.InputFile
+import frustum.scene.Framing
 import java.nio.file.Path
 import org.joml.Vector3d
 import scala.math.{acos, pow, toDegrees, toRadians}
@@ -46,6 +47,14 @@ final case class CameraVolume(
       (at + (range._2 - range._1) * reach * (2 * r.nextDouble() - 1)).max(range._1).min(range._2)
     View(step(turn, v.turn), step(elevation, v.elevation), step(distance, v.distance))
   }
+
+  /** The camera of a mesh without one, its near and far planes as far apart as the volume's distances need. */
+  def framed(scene: Scene): Camera = {
+    val camera = scene.camera
+    def at(factor: Double) = Framing(scene.boundingSphere, 1, eye = Some(View(0, 0, factor).camera(camera).eye))
+    camera.copy(near = at(distance._1).near, far = at(distance._2).far)
+  }
+
   private def within(range: (Double, Double), f: Double) = range._1 + f * (range._2 - range._1)
 }
 

@@ -1,110 +1,197 @@
 package frustum.scene
 
-import frustum.driver.scene.Material
+import frustum.contract.InputError
+import frustum.files.Notices
 import org.joml.Vector3d
 import java.nio.file.Path
 import scala.collection.mutable
 
 /** The content of an OBJ file: polygons with their vertices looked up, in file order. */
-final case class ObjFile(faces: IndexedSeq[ObjFile.Face], materials: Map[String, Material])
+final case class ObjFile(faces: IndexedSeq[ObjFile.Face])
 
 /** Reader of the polygons of OBJ files. Written for its messages: readers we know of neither name the line
   * nor keep more than single precision.
   */
 object ObjFile {
 
-  /** A corner of a polygon; what the file leaves out is None. */
+  /** A corner of a polygon; what the file leaves out, or has as "not a number", is None.
+    *
+    * @param color red, green, blue, alpha, 0..1
+    */
   final case class Corner(
       position: Vector3d,
       texture: Option[(Double, Double)],
       normal: Option[Vector3d],
-      color: (Double, Double, Double)
+      color: (Double, Double, Double, Double)
   )
 
-  /** A polygon, and the material in force, None before the first `usemtl`. */
-  final case class Face(corners: IndexedSeq[Corner], material: Option[Material], line: SourceLine)
+  /** A polygon, and the material in force, None where there is none. */
+  final case class Face(corners: IndexedSeq[Corner], material: Option[MtlMaterial], line: SourceLine)
+
+  private type Color = (Double, Double, Double, Double)
+  private val White: Color = (1, 1, 1, 1)
+
+  /** Beyond, powers of lengths would leave double precision. */
+  private val Farthest = 1e30
 
   /** Statements that do not change what is drawn here. */
-  private val skipped = Set(
-    "g",
-    "o",
-    "s",
-    "mg",
-    "bevel",
-    "c_interp",
-    "d_interp",
-    "lod",
-    "maplib",
-    "usemap",
-    "shadow_obj",
-    "trace_obj"
+  private val Silent =
+    Set("g", "o", "s", "mg", "bevel", "c_interp", "d_interp", "lod", "maplib", "usemap", "shadow_obj", "trace_obj")
+
+  private val Curves = Set(
+    "vp",
+    "cstype",
+    "deg",
+    "bmat",
+    "step",
+    "curv",
+    "curv2",
+    "surf",
+    "parm",
+    "trim",
+    "hole",
+    "scrv",
+    "sp",
+    "end",
+    "con",
+    "ctech",
+    "stech",
+    "bsp",
+    "bzp",
+    "cdc",
+    "cdp",
+    "res"
   )
 
-  /** InputError naming file, line, what is wrong there and what would be right. */
-  def read(file: Path): ObjFile = {
-    val positions = mutable.ArrayBuffer.empty[(Vector3d, (Double, Double, Double))]
-    val textures = mutable.ArrayBuffer.empty[(Double, Double)]
-    val normals = mutable.ArrayBuffer.empty[Vector3d]
-    val faces = mutable.ArrayBuffer.empty[Face]
-    val materials = mutable.LinkedHashMap.empty[String, Material]
-    var libraries = false
-    var current: Option[Material] = None
+  /** Polygons of a file; what does not concern their shape is skipped or replaced with a notice.
+    *
+    * InputError naming file, line, what is wrong there and what would be right.
+    */
+  def read(file: Path, notices: Notices): ObjFile = new ObjReader(notices).read(file)
 
-    def corner(line: SourceLine, word: String): Corner = {
+  /** The state of reading one file. */
+  private final class ObjReader(notices: Notices) {
+    private val positions = mutable.ArrayBuffer.empty[(Vector3d, Color)]
+    private val textures = mutable.ArrayBuffer.empty[Option[(Double, Double)]]
+    private val normals = mutable.ArrayBuffer.empty[Option[Vector3d]]
+    private val faces = mutable.ArrayBuffer.empty[(IndexedSeq[Corner], Option[SourceLine], SourceLine)]
+    private val materials = new MaterialNames(notices)
+    private var current = Option.empty[SourceLine]
+
+    def read(file: Path): ObjFile = {
+      SourceLine.read(file).foreach(statement)
+      ObjFile(faces.iterator.map { case (corners, named, line) =>
+        Face(corners, named.flatMap(materials.named), line)
+      }.toIndexedSeq)
+    }
+
+    private def statement(line: SourceLine): Unit = line.keyword match {
+      case "v"                 => positions += vertex(line)
+      case "vt"                => textures += textureVertex(line)
+      case "vn"                => normals += normal(line)
+      case "f" | "fo"          => face(line)
+      case "mtllib"            => materials.library(line)
+      case "usemtl"            => current = Some(line)
+      case "l"                 => skip(line, "lines ('l', or faces of two corners)")
+      case "p"                 => skip(line, "points ('p', or faces of one corner)")
+      case k if Curves(k)      => skip(line, "curves and surfaces")
+      case k if Silent(k)      =>
+      case k if k.length <= 32 =>
+        notices.at(line.place, s"statement '$k' is not known and skipped; check the file", "unknown")
+      case _ => line.error("is not a statement of OBJ; give an OBJ file in text form")
+    }
+
+    private def skip(line: SourceLine, what: String): Unit =
+      notices.at(line.place, s"$what are skipped, only polygons are drawn; export the mesh as polygons")
+
+    private def vertex(line: SourceLine): (Vector3d, Color) = {
+      val n = line.numbersOrNaN(3, 8, "x y z")
+      line.copy(text = line.words.take(3).mkString(" ")).numbers(3, 3, "x y z")
+      if (n.take(3).exists(_.abs > Farthest)) line.error("a vertex beyond 1e30; scale the mesh down")
+      (new Vector3d(n(0), n(1), n(2)), color(line, n.drop(3)))
+    }
+
+    /** After the position: nothing, a weight, a colour, or a colour and its alpha. */
+    private def color(line: SourceLine, n: IndexedSeq[Double]): Color =
+      if (n.length < 3) White
+      else {
+        val rgba = n.take(4)
+        if (n.length > 4) notices.at(
+          line.place,
+          s"'v' with ${n.length + 3} values: what follows x y z r g b a is skipped",
+          "v too long"
+        )
+        if (rgba.forall(_.isFinite)) {
+          if (rgba.exists(c => c < -MtlFile.HalfLevel || c > 1 + MtlFile.HalfLevel))
+            notices.at(
+              line.place,
+              "a vertex colour outside 0..1 is clamped; write 'v x y z r g b' with r, g, b in 0..1",
+              "v clamped"
+            )
+          val c = rgba.map(_.max(0).min(1))
+          (c(0), c(1), c(2), if (c.length > 3) c(3) else 1.0)
+        } else {
+          notices.at(
+            line.place,
+            "a vertex colour that is not finite is white; write 'v x y z r g b' with finite numbers",
+            "v colour"
+          )
+          White
+        }
+      }
+
+    private def textureVertex(line: SourceLine): Option[(Double, Double)] = {
+      val n = line.numbersOrNaN(1, 3, "u v").take(2)
+      if (!n.forall(_.isFinite))
+        notices.at(
+          line.place,
+          "a texture coordinate is not finite: its faces show their plain colour; export it anew",
+          "vt"
+        )
+      Option.when(n.forall(_.isFinite))((n(0), n.lift(1).getOrElse(0.0)))
+    }
+
+    private def normal(line: SourceLine): Option[Vector3d] = {
+      val n = line.numbersOrNaN(3, 3, "x y z")
+      if (!n.forall(_.isFinite))
+        notices.at(line.place, "a normal is not finite: its faces' own is taken; export it anew", "vn")
+      // to a largest component of 1 first: squares of what a file may hold leave double precision
+      val most = n.map(_.abs).max
+      Option.when(n.forall(_.isFinite) && most > 0)(new Vector3d(n(0) / most, n(1) / most, n(2) / most).normalize)
+    }
+
+    private def face(line: SourceLine): Unit = {
+      val corners = line.words.map(corner(line, _))
+      corners.length match {
+        case 0 => line.error("face without vertices; write at least 3")
+        case 1 => skip(line, "points ('p', or faces of one corner)")
+        case 2 => skip(line, "lines ('l', or faces of two corners)")
+        case _ => faces += ((corners, current, line))
+      }
+    }
+
+    private def corner(line: SourceLine, word: String): Corner = {
       val parts = word.split("/", -1)
       if (parts.length > 3) line.error(s"'$word' in a face; write v, v/vt, v//vn or v/vt/vn")
       def index(part: Int, what: String, count: Int): Option[Int] =
         if (part >= parts.length || (part > 0 && parts(part).isEmpty)) None
         else {
-          val i = parts(part).toIntOption
-            .getOrElse(
-              line.error(s"'$word' in a face is not made of whole numbers; write v, v/vt, v//vn or v/vt/vn")
-            )
+          if (!parts(part).matches("[+-]?\\d+"))
+            line.error(s"'$word' in a face is not made of whole numbers; write v, v/vt, v//vn or v/vt/vn")
+          val i = BigInt(parts(part).stripPrefix("+"))
           if (i == 0) line.error(s"face names $what 0; numbers start at 1 (or -1 for the latest)")
           val found = if (i > 0) i - 1 else count + i
           if (found < 0 || found >= count)
-            line.error(
-              s"face names $what $i of $count; name one that is defined above this line"
-            )
-          Some(found)
+            line.error(s"face names $what $i of $count; name one that is defined above this line")
+          Some(found.toInt)
         }
       val (position, color) = positions(index(0, "vertex", positions.length).get)
       Corner(
         position,
-        index(1, "texture coordinate", textures.length).map(textures),
-        index(2, "normal", normals.length).map(normals),
+        index(1, "texture coordinate", textures.length).flatMap(textures),
+        index(2, "normal", normals.length).flatMap(normals),
         color
       )
     }
-
-    for (line <- SourceLine.read(file)) line.keyword match {
-      case "v" =>
-        val n = line.numbers(3, 7, "x y z")
-        val rgb = if (n.length >= 6) n.takeRight(3).map(_.max(0.0).min(1.0)) else IndexedSeq(1.0, 1.0, 1.0)
-        if (n.take(3).exists(_.abs > 1e30)) line.error("a vertex beyond 1e30; scale the mesh down")
-        positions += ((new Vector3d(n(0), n(1), n(2)), (rgb(0), rgb(1), rgb(2))))
-      case "vt" =>
-        val n = line.numbers(1, 3, "u v")
-        textures += ((n(0), if (n.length > 1) n(1) else 0.0))
-      case "vn" =>
-        val n = line.numbers(3, 3, "x y z")
-        normals += new Vector3d(n(0), n(1), n(2))
-      case "f" =>
-        if (line.words.length < 3) line.error(s"face with ${line.words.length} vertices; write at least 3")
-        faces += Face(line.words.map(corner(line, _)), current, line)
-      case "mtllib" =>
-        if (line.text.isEmpty) line.error("'mtllib' without a file; write 'mtllib FILE.mtl'")
-        libraries = true
-        materials ++= MtlFile.read(MtlFile.beside(line), line)
-      case "usemtl" =>
-        current = materials.get(line.text)
-        if (libraries && current.isEmpty)
-          line.error(
-            s"material '${line.text}' is in no mtllib above; there are: ${materials.keys.mkString(", ")}"
-          )
-      case k if skipped(k) =>
-      case k               => line.error(s"statement '$k' is not supported; export the mesh as polygons (v, vt, vn, f)")
-    }
-    ObjFile(faces.toIndexedSeq, materials.toMap)
   }
 }

@@ -1,63 +1,107 @@
 package frustum.scene
 
 import frustum.contract.InputError
-import frustum.files.InputFile
-import java.nio.charset.StandardCharsets
 import java.nio.file.Path
 
-/** A statement of a text file: keyword and arguments, with the place to name when something is wrong with it.
+/** A statement of an OBJ or MTL file, with the place to name when something is wrong with it.
+  *
+  * @param name as it is written
+  * @param text what follows it, without a comment
   */
-final case class SourceLine(file: Path, number: Int, keyword: String, text: String) {
-  val words: IndexedSeq[String] = text.split("\\s+").toIndexedSeq.filter(_.nonEmpty)
+final case class SourceLine(file: Path, number: Int, name: String, text: String) {
 
-  def error(what: String): Nothing = throw InputError(s"$file:$number: $what")
+  /** The name in lower case. */
+  val keyword: String = name.toLowerCase
+
+  lazy val words: IndexedSeq[String] = text.split("\\s+").toIndexedSeq.filter(_.nonEmpty)
+
+  def place: String = s"$file:$number"
+
+  def error(what: String): Nothing = throw InputError(s"$place: $what")
 
   /** The arguments as finite numbers, `least` to `most` of them. */
   def numbers(least: Int, most: Int, form: String): IndexedSeq[Double] = {
-    if (words.length < least || words.length > most)
-      error(s"'$keyword' with ${words.length} values; write '$keyword $form'")
-    words.map(number)
+    val values = numbersOrNaN(least, most, form)
+    values.zip(words).find(!_._1.isFinite).foreach { case (_, word) =>
+      error(s"'$word' is not finite; write '$name' with finite numbers")
+    }
+    values
   }
 
-  def number(word: String): Double = {
-    val value =
-      word.toDoubleOption.getOrElse(error(s"'$word' is not a number; write '$keyword' with decimal numbers"))
-    if (!value.isFinite) error(s"'$word' is not finite; write '$keyword' with finite numbers")
-    value
+  /** The same; infinities and what is not a number in any of the spellings that are in use may be among them. */
+  def numbersOrNaN(least: Int, most: Int, form: String): IndexedSeq[Double] = {
+    if (words.length < least || words.length > most)
+      error(s"'$name' with ${words.length} values; write '$name $form'")
+    words.map(SourceLine.number(_).getOrElse {
+      val word = words.find(SourceLine.number(_).isEmpty).get
+      error(s"'$word' is not a number; write '$name' with decimal numbers")
+    })
   }
 }
 
 object SourceLine {
 
-  /** UTF-8's, which some editors put first, as Latin-1 reads it. */
-  private val ByteOrderMark = "\u00ef\u00bb\u00bf"
+  /** Of the C libraries of Unix ("-nan", "inf") and of Windows ("1.#QNAN", "-1.#IND", "1.#INF"). */
+  private val NotFinite = "(?i)[+-]?(nan.*|inf(inity)?|1\\.#[a-z]+0*)".r
 
-  /** The statements of a file, without comments (# at the start of a word) and empty lines; a backslash at
-    * the end of a line continues it.
+  def number(word: String): Option[Double] =
+    if (NotFinite.matches(word)) Some(Double.NaN)
+    // Java's own grammar has suffixes and hexadecimal as well
+    else if (word.exists(c => c.isLetter && c != 'e' && c != 'E')) None
+    else word.toDoubleOption
+
+  /** Statements whose argument is a name, in which # and a backslash at the end may stand. */
+  private def named(keyword: String): Boolean = Names(keyword) || keyword.startsWith("map_")
+  private val Names =
+    Set(
+      "g",
+      "o",
+      "usemtl",
+      "newmtl",
+      "mtllib",
+      "usemap",
+      "maplib",
+      "shadow_obj",
+      "trace_obj",
+      "bump",
+      "disp",
+      "decal",
+      "refl"
+    )
+
+  /** The statements of a file without comments and empty lines. A line that begins with # is a comment to its end,
+    * whatever that is; elsewhere # begins one at the start of a word, but not in names. A backslash at the end of
+    * a statement, blanks after it or not, continues it on the next line; in a name it does so after a blank.
     *
-    * @param namedBy
-    *   who refers to the file and where, for the message when it is missing
+    * InputError naming the file where it cannot be read.
     */
-  def read(file: Path, namedBy: Option[SourceLine] = None): Seq[SourceLine] = {
-    def refuse(message: String): Nothing = namedBy.fold[Nothing](throw InputError(message))(_.error(message))
-    val content =
-      try InputFile.text(file, "give a readable text file", StandardCharsets.ISO_8859_1)
-      catch { case InputError(message) => refuse(message) }
-    if (content.contains('\u0000')) refuse(s"$file: is not a text file; give an OBJ or MTL file in text form")
-    val lines = content.stripPrefix(ByteOrderMark).split("\r\n|\r|\n", -1).toIndexedSeq
-    joined(lines).flatMap { case (number, line) =>
-      val text = line.replaceAll("(^|\\s)#.*", "").trim
-      Option.when(text.nonEmpty) {
-        val keyword = text.takeWhile(!_.isWhitespace)
-        SourceLine(file, number, keyword, text.drop(keyword.length).trim)
+  def read(file: Path): Seq[SourceLine] = {
+    val lines = SourceText.lines(file).iterator.zipWithIndex
+    val statements = Seq.newBuilder[SourceLine]
+    while (lines.hasNext) {
+      val (first, index) = lines.next()
+      val name = first.trim.takeWhile(!_.isWhitespace).stripSuffix("\\")
+      val keyword = name.toLowerCase
+      val text = new StringBuilder
+      var part = withoutComment(first, keyword)
+      while (continues(part, keyword) && lines.hasNext) {
+        text ++= part.dropRight(1) += ' '
+        part = withoutComment(lines.next()._1, keyword)
       }
+      text ++= (if (continues(part, keyword)) part.dropRight(1) else part)
+      val statement = text.result().trim
+      if (statement.nonEmpty) statements += SourceLine(file, index + 1, name, statement.drop(name.length).trim)
     }
+    statements.result()
   }
 
-  private def joined(lines: IndexedSeq[String]): Seq[(Int, String)] = {
-    val starts = lines.indices.filter(i => i == 0 || !lines(i - 1).endsWith("\\"))
-    starts.zip(starts.drop(1) :+ lines.length).map { case (from, until) =>
-      (from + 1, lines.slice(from, until).map(_.stripSuffix("\\")).mkString(" "))
-    }
+  private def withoutComment(line: String, keyword: String): String = {
+    val text = line.trim
+    if (text.startsWith("#")) ""
+    else if (named(keyword) || text.indexOf('#') < 0) text
+    else text.replaceFirst("\\s#.*", "").trim
   }
+
+  private def continues(text: String, keyword: String): Boolean =
+    text.endsWith("\\") && (!named(keyword) || text.dropRight(1).lastOption.forall(_.isWhitespace))
 }

@@ -3,6 +3,7 @@ package frustum.scene
 import frustum.contract.InputError
 import frustum.contract.raster.Combine
 import frustum.driver.scene.{Material, Scene}
+import frustum.files.Notices
 import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 import java.awt.image.BufferedImage
@@ -40,7 +41,12 @@ class ObjSceneTest extends AnyFunSuite {
   }
 
   private def read(obj: String, mtl: String = "", texture: Option[String] = None): Scene =
-    withFiles("a.obj" -> obj, "a.mtl" -> mtl)(d => ObjScene.read(d.resolve("a.obj"), texture.map(d.resolve)))
+    withFiles("a.obj" -> obj, "a.mtl" -> mtl)(d =>
+      ObjScene.read(d.resolve("a.obj"), ObjScene.Options(texture.map(d.resolve)))
+    )
+
+  /** As with `--strict`. */
+  private def readStrictly(obj: String, mtl: String): Unit = Notices.refuse(read(obj, mtl).notices)
 
   private val square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
 
@@ -146,12 +152,9 @@ class ObjSceneTest extends AnyFunSuite {
     )
   }
 
-  test("framing: 2.5 radii away, near 0.05 r, far 10 r") {
-    val c = read("v 10 0 0\nv 14 0 0\nv 10 2 4\nf 1 2 3").camera
-    assert(c.at == new Vector3d(12, 1, 2))
-    val offset = new Vector3d(c.eye).sub(c.at).div(2.5 * 3)
-    assert(offset.distance(new Vector3d(0.45, 0.35, 0.82)) < 1e-12)
-    assert((c.near - 0.15).abs < 1e-12 && (c.far - 30).abs < 1e-12 && c.fovDegrees == 45)
+  test("a mesh is framed") {
+    val s = read("v 10 0 0\nv 14 0 0\nv 10 2 4\nf 1 2 3")
+    assert(s.boundingSphere == ((new Vector3d(12, 1, 2), 3.0)) && s.camera == Framing(s.boundingSphere, 0.75))
   }
 
   private val malformed = Seq(
@@ -162,7 +165,12 @@ class ObjSceneTest extends AnyFunSuite {
     ("v 1e99 0 0\n", "a.obj:1: a vertex beyond 1e30"),
     ("vt\n", "a.obj:1: 'vt' with 0 values; write 'vt u v'"),
     ("vn 0 1\n", "a.obj:1: 'vn' with 2 values"),
-    (square + "f 1 2\n", "a.obj:9: face with 2 vertices; write at least 3"),
+    (square + "f\n", "a.obj:9: face without vertices; write at least 3"),
+    (square + "f 1 2 99999999999999999999\n", "a.obj:9: face names vertex 99999999999999999999 of 4"),
+    (square + "f 1 2 -3000000000\n", "a.obj:9: face names vertex -3000000000 of 4"),
+    (square + "f 1 2\n", "there are no faces ('f' lines); give a mesh of polygons; "),
+    ("v 1.#QNAN 0 0\n", "a.obj:1: '1.#QNAN' is not finite"),
+    ("v 1f 0 0\n", "a.obj:1: '1f' is not a number"),
     (square + "f 1 2 9\n", "a.obj:9: face names vertex 9 of 4"),
     (square + "# x\nf 1 2 -5\n", "a.obj:10: face names vertex -5 of 4"),
     (square + "f 0 1 2\n", "a.obj:9: face names vertex 0; numbers start at 1"),
@@ -172,20 +180,49 @@ class ObjSceneTest extends AnyFunSuite {
     (square + "f 1 2 x\n", "a.obj:9: 'x' in a face is not made of whole numbers"),
     (square + "f 1 2 3.5\n", "a.obj:9: '3.5' in a face is not made of whole numbers"),
     (square + "f \\\n1 2 \\\n77\n", "a.obj:9: face names vertex 77 of 4"),
-    ("curv 0 1 1 2\n", "a.obj:1: statement 'curv' is not supported"),
-    ("l 1 2\n", "a.obj:1: statement 'l' is not supported"),
     ("v 0 0 0\n", "a.obj: there are no faces"),
     ("", "a.obj: there are no faces"),
     ("\u0000\u0001", "a.obj: is not a text file"),
-    ("mtllib\n", "a.obj:1: 'mtllib' without a file"),
-    ("mtllib b.mtl\n", "b.mtl: there is no such file"),
-    ("mtllib a.mtl\nusemtl blue\n", "a.obj:2: material 'blue' is in no mtllib above; there are: red")
+    ("l 1 2\n", "a.obj:1: lines ('l', or faces of two corners) are skipped")
   )
   for (((text, message), i) <- malformed.zipWithIndex)
     test(s"refused OBJ $i: $message") {
       val error = intercept[InputError](read(text, "newmtl red\nKd 1 0 0"))
       assert(error.message.contains(message))
     }
+
+  private val skipped = Seq(
+    ("f 1 2\n", "a.obj:10: lines ('l', or faces of two corners) are skipped"),
+    ("curv 0 1 1 2\n", "a.obj:10: curves and surfaces are skipped"),
+    ("l 1 2\n", "a.obj:10: lines"),
+    ("call x.obj\n", "a.obj:10: statement 'call' is not known and skipped"),
+    ("mtllib\n", "a.obj:10: 'mtllib' without a file"),
+    ("mtllib b.mtl\n", "a.obj:10: there is no file 'b.mtl'"),
+    ("mtllib a.mtl\nusemtl blue\nf 1 2 3\n", "a.obj:11: material 'blue' is in no mtllib (there are: red)"),
+    ("v 1 2 3 4 5 6 7 8\n", "a.obj:10: 'v' with 8 values"),
+    ("v 1 2 3 255 0 0\n", "a.obj:10: a vertex colour outside 0..1 is clamped"),
+    ("v 1 2 3 nan 0 0\n", "a.obj:10: a vertex colour that is not finite is white"),
+    ("vt nan 0\n", "a.obj:10: a texture coordinate is not finite"),
+    ("v 1 1 0\nv 0 0 0\nv 0 1 0\nv 1 0 0\nf -4 -3 -2 -1\n", "a.obj:14: a polygon crosses itself")
+  )
+  for (((text, message), i) <- skipped.zipWithIndex)
+    test(s"skipped in an OBJ, refused with --strict $i: $message") {
+      val mesh = square + "f 1 2 3\n" + text
+      assert(read(mesh, "newmtl red").notices.map(_.what).exists(_.contains(message)))
+      assert(intercept[InputError](readStrictly(mesh, "newmtl red")).message.contains(message))
+    }
+
+  test("what is of one kind is counted, and the first of it named") {
+    val s = read(square + "f 1 2 3\nl 1 2\np 1\nl 2 3\nl 1 3\n")
+    assert(s.notices.map(n => (n.what.takeWhile(_ != '(').trim.replaceFirst(".*a.obj", ""), n.count)) == Seq(
+      (":10: lines", 3),
+      (":11: points", 1)
+    ))
+  }
+
+  test("a mesh without anything to say about it has no notices") {
+    assert(read(square + "o a\ng b\ns 1\nvn 0 0 1\nf 1/1/1 2/2/1 3/3/1").notices.isEmpty)
+  }
 
   private val malformedMaterials = Seq(
     ("Kd 1 1 1", "a.mtl:1: 'Kd' before any 'newmtl'"),
@@ -197,29 +234,80 @@ class ObjSceneTest extends AnyFunSuite {
     ("newmtl a\nd", "a.mtl:2: 'd' with 0 values"),
     ("newmtl a\nTr NaN", "a.mtl:2: 'NaN' is not finite"),
     ("newmtl a\nmap_Kd", "a.mtl:2: 'map_Kd' without a file"),
-    ("newmtl a\nmap_Kd -s 2 2 2 ok.png", "a.mtl:2: map_Kd option '-s' is not supported"),
-    ("newmtl a\nmap_Kd none.png", "none.png: there is no such picture"),
-    (
-      "newmtl a\n\nmap_Kd odd.png",
-      "odd.png: the texture is 8 x 12 texels; each side must be 8, 16, 32, 64, 128"
-    ),
-    ("newmtl a\nmap_Kd big.png", "big.png: the texture is 256 x 256 texels"),
+    ("newmtl a\nmap_Kd -s 2 2 2", "a.mtl:2: 'map_Kd -s 2 2 2' without a file"),
+    ("newmtl a\nmap_Kd none.png", "a.mtl:2: there is no picture 'none.png'"),
+    ("newmtl a\n\nmap_Kd odd.png", "a.mtl:3: odd.png of 8 x 12 texels is resampled to 8 x 128"),
+    ("newmtl a\nmap_Kd big.png", "a.mtl:2: big.png of 256 x 256 texels is resampled to 128 x 128"),
     ("newmtl a\nmap_Kd a.obj", "a.obj: is not a picture in a known format; save it as PNG"),
-    ("newmtl a\nmap_Kd cut.png", "cut.png: the picture is damaged")
+    ("newmtl a\nd -halo 0.5", "a.mtl:2: d: '-halo' changes nothing here"),
+    ("newmtl a\nmap_d ok.png\nmap_Kd -s 2 2 2 ok.png\nmap_d -s 3 3 3 haze.png", "give both the same options")
   )
   for (((text, message), i) <- malformedMaterials.zipWithIndex)
-    test(s"refused MTL $i: $message") {
-      val error = intercept[InputError](read(square + "mtllib a.mtl\nusemtl a\nf 1/1 2/2 3/3", text))
-      assert(error.message.contains(message) && error.message.contains("a.mtl:"))
+    test(s"skipped or replaced in an MTL, refused with --strict $i: $message") {
+      val mesh = square + "mtllib a.mtl\nusemtl a\nf 1/1 2/2 3/3"
+      assert(read(mesh, text).notices.exists(n => n.what.contains(message) && n.what.contains("a.mtl:")))
+      val error = intercept[InputError](readStrictly(mesh, text))
+      if (!text.startsWith("Kd") && text != "newmtl")
+        assert(error.message.contains(message) && error.message.contains("a.mtl:"))
     }
+
+  test("a damaged picture is refused, one that no face shows is not looked at") {
+    val mesh = square + "mtllib a.mtl\nusemtl a\nf 1/1 2/2 3/3"
+    val error = intercept[InputError](read(mesh, "newmtl a\nmap_Kd cut.png"))
+    assert(error.message.contains("a.mtl:2: ") && error.message.contains("cut.png: the picture is damaged"))
+    assert(read(mesh, "newmtl b\nmap_Kd cut.png\nnewmtl a").notices.isEmpty)
+    assert(read(mesh.replaceAll("/.", ""), "newmtl a\nmap_Kd cut.png").notices.isEmpty)
+  }
+
+  test("map_d: opacity from a picture's luminance, or its alpha where it has some, or the channel named") {
+    def material(mtl: String) = {
+      val s = read(square + "mtllib a.mtl\nusemtl a\nf 1/1 2/2 3/3", mtl); assert(s.notices.isEmpty); s.materials.head
+    }
+    val both = material("newmtl a\nmap_Kd ok.png\nmap_d haze.png")
+    assert(both.texture.get.argb.toSet == Set(0x80336699) && both.blend && both.combine == Combine.Replace)
+    val alone = material("newmtl a\nKd 1 0 0\nmap_d haze.png")
+    assert(alone.texture.get.argb.toSet == Set(0x80ffffff) && alone.color == ((
+      1,
+      0,
+      0
+    )) && alone.combine == Combine.Modulate)
+    assert(material("newmtl a\nmap_d ok.png").texture.get.argb.map(_ >>> 24).toSet == Set(
+      (0x33 * 299 + 0x66 * 587 + 0x99 * 114 + 500) / 1000
+    ))
+    assert(material("newmtl a\nmap_d -imfchan b ok.png").texture.get.argb.map(_ >>> 24).toSet == Set(0x99))
+    val same = material("newmtl a\nmap_Kd ok.png\nmap_d ok.png")
+    assert(same.texture.get.argb.toSet == Set(0xff336699) && !same.blend, "dark colours are no holes")
+  }
+
+  test("exact sizes are kept to the bit, others resampled as --texture-size says or memory allows") {
+    def sizes(textureSize: Option[Int], texels: Int, pictures: String*) =
+      withFiles(
+        "a.obj" -> (square + "mtllib a.mtl\n" + pictures.indices.map(i => s"usemtl m$i\nf 1/1 2/2 3/3\n").mkString),
+        "a.mtl" -> pictures.zipWithIndex.map { case (p, i) => s"newmtl m$i\nmap_Kd $p\n" }.mkString
+      ) { d =>
+        val s = ObjScene.read(d.resolve("a.obj"), ObjScene.Options(textureSize = textureSize, texels = texels))
+        s.materials.map(m => (m.texture.get.width, m.texture.get.height)) -> s.notices.count(
+          _.what.contains("resampled")
+        )
+      }
+    assert(sizes(None, 32768, "ok.png", "holes.png") == (Seq((8, 8), (16, 8)), 0))
+    assert(sizes(None, 32768, "ok.png", "odd.png", "big.png") == (Seq((8, 8), (8, 128), (128, 128)), 2))
+    assert(sizes(Some(32), 32768, "holes.png", "odd.png", "big.png") == (Seq((16, 8), (8, 32), (32, 32)), 2))
+    assert(sizes(None, 4096, "ok.png", "big.png") == (Seq((8, 8), (32, 32)), 1))
+    assert(
+      sizes(None, 128, "holes.png", "ok.png") == (Seq((8, 8), (8, 8)), 1),
+      "exact sizes shrink where the memory is too small for them"
+    )
+  }
 
   test("refused: a missing OBJ, a directory, a wrong picture given apart") {
     withFiles("a.obj" -> (square + "f 1/1 2/2 3/3")) { d =>
       def refusal(file: String, picture: Option[String]) =
-        intercept[InputError](ObjScene.read(d.resolve(file), picture.map(d.resolve))).message
+        intercept[InputError](ObjScene.read(d.resolve(file), ObjScene.Options(picture.map(d.resolve)))).message
       assert(refusal("b.obj", None).endsWith("b.obj: there is no such file; check the name"))
       assert(refusal("", None).contains("cannot be read"))
-      assert(refusal("a.obj", Some("odd.png")).contains("odd.png: the texture is 8 x 12"))
+      assert(refusal("a.obj", Some("cut.png")).contains("cut.png: the picture is damaged"))
+      assert(refusal("a.obj", Some("a.obj")).contains("a.obj: is not a picture in a known format"))
       assert(refusal("a.obj", Some("no.png")).contains("no.png: there is no such picture"))
     }
   }

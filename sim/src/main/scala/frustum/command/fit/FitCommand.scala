@@ -9,11 +9,12 @@ import frustum.contract.raster.{PlaneFormats, RasterConfig}
 import frustum.device.Tech
 import frustum.driver.raster.DrawOptions
 import frustum.engine.raster.{EngineOptions, Engines}
-import frustum.files.OutputFile
+import frustum.files.{Notices, OutputFile}
 import frustum.fit.{CameraVolume, Fit, FitBudget, FitFeatures, FitResult, Referee}
 import frustum.picture.Picture
 import frustum.raster.RasterPipeline
 import frustum.reference.raster.Mesa
+import frustum.scene.ObjScene
 import frustum.synthesis.UnitCosts
 import java.nio.file.{Files, Path, Paths}
 
@@ -29,12 +30,15 @@ object FitCommand extends CommandLine {
 
   private def fit(o: FitOptions): Int = {
     if (o.scene.isEmpty && o.obj.isEmpty) throw InputError("fit: no scene; give --scene NAME or --obj FILE")
-    val scene = RenderCommand.sceneOf(o.scene, o.obj, o.texture)
-    val stem = o.obj.fold(scene.name)(_.getFileName.toString.replaceFirst("\\.[^.]*$", ""))
     val base = RenderCommand.configOf(o.size._1, o.size._2)
     val volume = o.volume.fold(CameraVolume.default)(CameraVolume.read)
+    val aspect = base.width.toDouble / base.height
+    val own = RenderCommand.sceneOf(o.scene, o.obj, ObjScene.Options(o.texture, None, base.textureTexels, aspect))
+    val scene = if (o.obj.isEmpty) own else own.copy(camera = volume.framed(own))
+    val stem = o.obj.fold(scene.name)(_.getFileName.toString.replaceFirst("\\.[^.]*$", ""))
     val budget = FitBudget(o.texelsWrong, o.primitivesWrong, o.flip)
     val features = FitFeatures(scene, base, DrawOptions(o.light, o.cullBack, o.wrap, scene.background), volume)
+    Notices.print(scene.notices)
     def say(line: String): Unit = println(s"$name $stem: $line")
     if (!features.options.depthTest)
       say("nothing hides anything else: no depth test" + (if (features.options.cullBack)

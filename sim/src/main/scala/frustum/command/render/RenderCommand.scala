@@ -7,9 +7,9 @@ import frustum.contract.video.Panel
 import frustum.driver.raster.DrawOptions
 import frustum.driver.scene.{Camera, Material, Scene}
 import frustum.engine.raster.{EngineOptions, Engines}
-import frustum.files.OutputFile
+import frustum.files.{Notices, OutputFile}
 import frustum.picture.Picture
-import frustum.scene.{ObjScene, Scenes, TextureFile}
+import frustum.scene.{Framing, MaterialPictures, ObjScene, Scenes}
 import java.nio.file.{Path, Paths}
 
 /** `render`: draws a scene, or a mesh, with an engine; writes the picture and a report. */
@@ -27,7 +27,9 @@ object RenderCommand extends CommandLine {
     if (o.panel.isDefined && !entry.atPins)
       throw InputError(s"--panel: the engine ${entry.name} has no display; use --engine hardware")
     val config = configOf(o.size._1, o.size._2)
-    val scene = sceneOf(o.scene, o.obj, o.texture)
+    val aspect = config.width.toDouble / config.height
+    val scene = sceneOf(o.scene, o.obj, ObjScene.Options(o.texture, o.textureSize, config.textureTexels, aspect))
+    if (o.strict) Notices.refuse(scene.notices)
     val stem = o.obj.fold(scene.name)(_.getFileName.toString.replaceFirst("\\.[^.]*$", ""))
     val folder = Paths.get("out", name)
     val out = o.out.getOrElse(folder.resolve(if (o.frames > 1) s"$stem-%d.png" else s"$stem.png"))
@@ -42,7 +44,7 @@ object RenderCommand extends CommandLine {
 
     val run = SceneRun(
       scene.copy(name = stem),
-      cameraOf(o, scene.camera),
+      o.obj.fold(cameraOf(o, scene.camera))(_ => framed(o, scene, aspect)),
       DrawOptions(o.light, o.cullBack, o.wrap, o.background),
       config,
       o.frames,
@@ -73,15 +75,26 @@ object RenderCommand extends CommandLine {
         )
     }
 
-  /** What `--scene`, `--obj` and `--texture` ask for. */
-  def sceneOf(name: Option[String], obj: Option[Path], texture: Option[Path]): Scene = (name, obj) match {
+  /** What `--scene`, `--obj` and the options about pictures ask for. */
+  def sceneOf(name: Option[String], obj: Option[Path], options: ObjScene.Options): Scene = (name, obj) match {
     case (Some(_), Some(_)) => throw InputError("--obj: a scene is given as well; leave out --obj or --scene")
-    case (_, Some(file))    => ObjScene.read(file, texture)
+    case (_, Some(file))    => ObjScene.read(file, options)
     case (scene, None)      =>
       val made = Scenes.byName(scene.getOrElse("teapot"))
-      texture.map(TextureFile.read(_)).fold(made)(picture =>
-        made.copy(materials = made.materials.map(m => Material.textured(m.name, picture, m.alpha)))
+      val notices = new Notices
+      val picture =
+        new MaterialPictures(options.texels, options.textureSize, options.texture, notices).read(Seq(None)).get(None)
+      picture.fold(made)(p =>
+        made.copy(
+          materials = made.materials.map(m => Material.textured(m.name, p.image, m.alpha)),
+          notices = notices.result
+        )
       )
+  }
+
+  private def framed(o: RenderOptions, scene: Scene, aspect: Double): Camera = {
+    val own = scene.camera
+    Framing(scene.boundingSphere, aspect, o.fov.getOrElse(own.fovDegrees), o.eye, o.at, o.up, o.near, o.far, o.ortho)
   }
 
   private def cameraOf(o: RenderOptions, own: Camera): Camera = Camera(

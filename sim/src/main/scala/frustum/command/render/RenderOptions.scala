@@ -3,6 +3,7 @@ package frustum.command.render
 import frustum.command.common.Arguments
 import frustum.contract.raster.Wrap
 import frustum.contract.video.Panel
+import frustum.driver.scene.TextureImage
 import frustum.engine.raster.Engines
 import frustum.scene.Scenes
 import org.joml.Vector3d
@@ -16,6 +17,8 @@ final case class RenderOptions(
     scene: Option[String] = None,
     obj: Option[Path] = None,
     texture: Option[Path] = None,
+    textureSize: Option[Int] = None,
+    strict: Boolean = false,
     eye: Option[Vector3d] = None,
     at: Option[Vector3d] = None,
     up: Option[Vector3d] = None,
@@ -57,11 +60,18 @@ object RenderOptions {
     option[Path](
       "obj",
       "FILE",
-      "a mesh: OBJ, with MTL and PNG beside it"
+      "a mesh: OBJ, with MTL and pictures (PNG, JPEG, TGA) beside it"
     )((v, o) => o.copy(obj = Some(v)))(file),
     option[Path]("texture", "FILE.png", "overrides the textures (default: the scene's own)")((v, o) =>
       o.copy(texture = Some(v))
-    )(file)
+    )(file),
+    option[Int](
+      "texture-size",
+      TextureImage.Sides.mkString("|"),
+      "side of pictures whose own the hardware does not take\n(default: the largest with which all fit)"
+    )((v, o) => o.copy(textureSize = Some(v)))(oneOf(TextureImage.Sides.map(n => n.toString -> n): _*)),
+    opt[Unit]("strict").action((_, o) => o.copy(strict = true))
+      .text("notices about files are errors (default: what is missing or unknown is left out)")
   )
 
   private val cameraOptions = {

@@ -3,7 +3,7 @@ package frustum.command.render
 import frustum.boards.Tops
 import frustum.BuildInfo
 import frustum.command.common.Clock
-import frustum.files.InfinityAsNull
+import frustum.files.{InfinityAsNull, Notices}
 import java.nio.file.{Files, Path, Paths}
 import scala.util.Try
 
@@ -20,7 +20,8 @@ object RenderReport {
       "scene" -> f.scene,
       "width" -> f.config.width,
       "height" -> f.config.height,
-      "frames" -> f.frames.length
+      "frames" -> f.frames.length,
+      "notices" -> Notices.json(f.notices)
     )
     def put(key: String, value: Option[Double]): Unit = value.foreach(v => report(key) = v)
     val clocks = f.mean(_.clocks)

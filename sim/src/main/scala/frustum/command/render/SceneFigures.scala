@@ -3,6 +3,7 @@ package frustum.command.render
 import frustum.contract.raster.RasterConfig
 import frustum.driver.raster.PreparedFrame
 import frustum.engine.raster.RenderedFrame
+import frustum.files.Notice
 import frustum.judge.{EndToEndVerdict, Flip, FrameVerdict, ModelVerdict, Psnr}
 import java.nio.file.Path
 
@@ -49,13 +50,15 @@ object FrameFigures {
   * texel error is the greatest of all.
   *
   * @param seconds wall time of the engine
+  * @param notices what of the scene was skipped, replaced or not drawn
   */
 final case class SceneFigures(
     scene: String,
     engine: String,
     config: RasterConfig,
     frames: Seq[FrameFigures],
-    seconds: Double
+    seconds: Double,
+    notices: Seq[Notice] = Nil
 ) {
   private val pixels = config.width.toLong * config.height * frames.length
 

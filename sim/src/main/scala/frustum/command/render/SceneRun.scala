@@ -2,9 +2,10 @@ package frustum.command.render
 
 import frustum.command.common.Progress
 import frustum.contract.raster.{RasterConfig, Wrap}
-import frustum.driver.raster.{DrawOptions, Driver, PreparedFrame}
+import frustum.driver.raster.{DrawOptions, Driver, EmptyView, PreparedFrame}
 import frustum.driver.scene.{Camera, Scene}
 import frustum.engine.raster.{EngineEntry, EngineOptions, Engines}
+import frustum.files.{Notice, Notices}
 import frustum.judge.{FrameJudge, FrameVerdict}
 
 /** A scene on its way through driver, engine and judges.
@@ -27,14 +28,10 @@ final case class SceneRun(
     */
   def figures(each: (Int, FrameVerdict) => Unit): SceneFigures = {
     val prepared: Seq[PreparedFrame] = (0 until frames).map { i =>
-      Driver.prepare(
-        scene,
-        camera,
-        options.copy(turnDegrees = options.turnDegrees + i * turnDegrees),
-        config,
-        i
-      )
+      Driver.prepare(scene, camera, turned(i), config, i)
     }
+    val notices = scene.notices ++ emptyFrames(prepared)
+    Notices.print(notices)
     println(
       s"${scene.name}: ${prepared.head.trianglesDrawn} triangles, " +
         s"${config.width} x ${config.height}, engine ${entry.name}" +
@@ -54,8 +51,18 @@ final case class SceneRun(
           FrameFigures(frame, drawn, verdict)
         }
       finally progress.close()
-    SceneFigures(scene.name, entry.name, config, verdicts, seconds)
+    SceneFigures(scene.name, entry.name, config, verdicts, seconds, notices)
   }
+
+  /** Frames in which nothing is to be seen, by the cause of the first of them. */
+  private def emptyFrames(prepared: Seq[PreparedFrame]): Seq[Notice] = {
+    val empty = prepared.indices.filter(i => scene.triangles.nonEmpty && EmptyView(prepared(i)))
+    empty.headOption.map { i =>
+      Notice(s"${scene.place}: ${EmptyView.cause(scene, camera, turned(i), config)}", empty.length.toLong)
+    }.toSeq
+  }
+
+  private def turned(frame: Int): DrawOptions = options.copy(turnDegrees = options.turnDegrees + frame * turnDegrees)
 }
 
 object SceneRun {

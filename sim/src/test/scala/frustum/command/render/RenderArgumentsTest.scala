@@ -44,6 +44,7 @@ class RenderArgumentsTest extends AnyFunSuite {
     "--wave x.fst" -> Seq("--wave", "hardware"),
     "--panel st7789" -> Seq("--panel", "reference", "hardware"),
     "--panel vga" -> Seq("--panel", "st7789"),
+    "--texture-size 100" -> Seq("--texture-size", "8, 16, 32, 64, 128"),
     "--seed x" -> Seq("--seed")
   )
 
@@ -97,7 +98,7 @@ class RenderArgumentsTest extends AnyFunSuite {
       val run = CommandRunner.run(command, "--help")
       assert(run.code == 0 && run.err.isEmpty)
       val options = run.out.split("\n  --").drop(1).filterNot(_.startsWith("help"))
-      assert(options.length == (if (command == "render") 24 else 3))
+      assert(options.length == (if (command == "render") 26 else 3))
       options.filterNot(_.startsWith("obj ")).foreach(o => assert(o.contains("(default"), o))
     }
   }

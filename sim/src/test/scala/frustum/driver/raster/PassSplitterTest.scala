@@ -1,8 +1,10 @@
 package frustum.driver.raster
 
 import frustum.contract.InputError
-import frustum.contract.raster.{FramePass, RasterConfig, TileRegion}
+import frustum.contract.raster.{FramePass, PackedVertex, RasterConfig, TileRegion}
 import frustum.driver.raster.Fixtures._
+import frustum.driver.scene.Triangle
+import frustum.engine.raster.{PassEngine, ReferenceRenderer}
 import frustum.scene.Scenes
 import org.scalatest.funsuite.AnyFunSuite
 
@@ -45,6 +47,58 @@ class PassSplitterTest extends AnyFunSuite {
     assert(
       error.message.contains("9 triangles with 3 vertices") && error.message.contains("holds 8 triangles")
     )
+  }
+
+  /** A grid of small squares, two triangles each, over `size` pixels. */
+  private def dense(steps: Int, size: Double, z: Double = 0): Seq[Triangle] = {
+    def at(i: Int, j: Int) = vertex(size * (i.toDouble / steps - 0.5), size * (j.toDouble / steps - 0.5), z)
+    for (
+      i <- 0 until steps; j <- 0 until steps;
+      t <- Seq(
+        triangle(at(i, j), at(i + 1, j), at(i + 1, j + 1)),
+        triangle(at(i, j), at(i + 1, j + 1), at(i, j + 1))
+      )
+    ) yield t
+  }
+
+  test("of a mesh denser than the pixels only the triangles that cover one are sent, and the picture is the same") {
+    // 2 x 120 x 120 triangles over 48 x 48 pixels: 6.25 squares a pixel
+    val mesh = prepare(scene(dense(120, 48)))
+    val image = new PassEngine(new ReferenceRenderer(_)).render(Seq(mesh)).head.image
+    val plain = new PassEngine(new ReferenceRenderer(_)).render(Seq(prepare(scene(dense(1, 48))))).head.image
+    assert(mesh.passes.flatMap(p => tiles(p.region)).sorted == tiles(TileRegion.whole(config)).sorted)
+    assert(mesh.passes.forall(p =>
+      p.vertices.length <= config.maxVertices && p.triangles.length <= config.maxTriangles
+    ))
+    assert(image.toSeq == plain.toSeq && image.count(_ != 0) == 48 * 48)
+  }
+
+  test("what would help is said: culling, and whether it is enough") {
+    val front = Seq.fill(9)(triangle(vertex(0, 0), vertex(9, 0), vertex(0, 9)))
+    val back = front.map(t => Triangle(t.v0, t.v2, t.v1, 0))
+    def refusal(n: Int) =
+      intercept[InputError](prepare(scene(front.take(n) ++ back), config = RasterConfig(maxTriangles = 8))).message
+    assert(refusal(8).contains("17 triangles with 3 vertices") && refusal(
+      8
+    ).contains("--cull back leaves 8 of them with 3 vertices; "))
+    assert(refusal(9).contains("--cull back leaves 9 of them with 3 vertices, too many as well; "))
+    assert(refusal(9).contains("a larger picture (--size)"))
+  }
+
+  test("covered pixels: exact, ties on the safe side") {
+    val random = new scala.util.Random(5)
+    val box = PixelBox(3, 2, 9, 12)
+    def at(x: Int, y: Int) = PackedVertex(x, y, 0, 32768, 0, 0, 0, 0, 0, 0, 0)
+    for (_ <- 0 until 3000) {
+      val p = Seq.fill(3)(at(random.nextInt(260), random.nextInt(260)))
+      val area = new Viewport(config).area(p(0), p(1), p(2))
+      val corners = if (area < 0) p.reverse else p
+      val covered = for (y <- box.y0 to box.y1; x <- box.x0 to box.x1) yield {
+        val c = at(16 * x + 8, 16 * y + 8)
+        (0 to 2).forall(i => new Viewport(config).area(corners(i), corners((i + 1) % 3), c) >= 0)
+      }
+      if (area != 0) assert(PixelCover.covers(corners, box) == covered.contains(true), corners)
+    }
   }
 
   test("an empty frame is one pass that clears the screen") {

@@ -68,6 +68,15 @@ object Driver {
   /** The bytes of each wire command of a texture. */
   def commands(upload: TextureUpload): Seq[Seq[Int]] = CommandEncoder.upload(upload)
 
+  /** The model's turn in the world. */
+  private[host] def turnOf(scene: Scene, options: DrawOptions): Matrix4d = {
+    val centre = scene.boundingSphere._1
+    new Matrix4d()
+      .translate(centre)
+      .rotateY(scala.math.toRadians(options.turnDegrees))
+      .translate(-centre.x, -centre.y, -centre.z)
+  }
+
   private def clipTriangles(
       scene: Scene,
       camera: Camera,
@@ -75,11 +84,7 @@ object Driver {
       config: RasterConfig,
       states: StateTable
   ): IndexedSeq[ClipTriangle] = {
-    val centre = scene.boundingSphere._1
-    val turn = new Matrix4d()
-      .translate(centre)
-      .rotateY(scala.math.toRadians(options.turnDegrees))
-      .translate(-centre.x, -centre.y, -centre.z)
+    val turn = turnOf(scene, options)
     val toClip = Projection(camera, config.width.toDouble / config.height).mul(turn)
     val shader = new VertexShader(toClip, turn, options.light)
     val clipper = new Clipper(config)
@@ -141,7 +146,7 @@ object Driver {
           s"a triangle: $fault, beyond what this hardware was made for; build it for the scene (./sbt fit)"
         )
       )
-      (turned, PackedCorners(state, p(0), p(1), p(2), pixels))
+      (turned, PackedCorners(state, p(0), p(1), p(2), pixels, back = area > 0))
     }
   }
 

@@ -3,25 +3,33 @@ package frustum.driver.raster
 import frustum.contract.InputError
 import frustum.contract.raster.{PackedVertex, RasterConfig, TileRegion}
 
-/** A triangle ready to be stored. */
+/** A triangle ready to be stored.
+  *
+  * @param pixels whose centres lie in its bounding box
+  * @param back   its back is seen
+  */
 final case class PackedCorners(
     state: Int,
     v0: PackedVertex,
     v1: PackedVertex,
     v2: PackedVertex,
-    pixels: PixelBox
+    pixels: PixelBox,
+    back: Boolean = false
 ) {
   def vertices: Seq[PackedVertex] = Seq(v0, v1, v2)
 }
 
-/** Divides a frame into regions of tiles whose triangles and vertices fit the hardware's store.
+/** Divides a frame into regions of tiles whose triangles and vertices fit the hardware's store. A region is at least a
+  * tile; where one has too much for the store it is given only those triangles that cover the centre of one of its pixels,
+  * which of a dense mesh are few.
   *
   * @param scene what messages call it
   */
 final class PassSplitter(config: RasterConfig, scene: String) {
 
   /** Regions, disjoint and together the whole screen, each with the triangles that touch it in their order.
-    * Bands of tile rows first, then columns; InputError when the triangles of one tile are too many.
+    * Bands of tile rows first, then columns; InputError when the triangles of one tile are too many, with what would
+    * help.
     */
   def split(triangles: IndexedSeq[PackedCorners]): Seq[(TileRegion, IndexedSeq[PackedCorners])] =
     split(TileRegion.whole(config), triangles)
@@ -31,20 +39,42 @@ final class PassSplitter(config: RasterConfig, scene: String) {
       all: IndexedSeq[PackedCorners]
   ): Seq[(TileRegion, IndexedSeq[PackedCorners])] = {
     val here = all.filter(touches(region, _))
-    val vertices = here.iterator.flatMap(_.vertices).toSet.size
-    if (here.length <= config.maxTriangles && vertices <= config.maxVertices) Seq(region -> here)
+    if (fits(here)) Seq(region -> here)
     else
       halves(region) match {
         case Some((first, second)) => split(first, here) ++ split(second, here)
         case None                  =>
-          throw InputError(
-            s"$scene: ${here.length} triangles with $vertices vertices in the tile at pixel " +
-              s"(${region.x0 * config.tileWidth}, ${region.y0 * config.tileHeight}); " +
-              s"the store holds ${config.maxTriangles} triangles and " +
-              s"${config.maxVertices} vertices: draw a simpler mesh or come closer"
-          )
+          val seen = here.filter(t => PixelCover.covers(t.vertices, overlap(region, t)))
+          if (!fits(seen)) refuse(region, seen)
+          Seq(region -> seen)
       }
   }
+
+  private def vertices(triangles: IndexedSeq[PackedCorners]): Int = triangles.iterator.flatMap(_.vertices).toSet.size
+
+  private def fits(triangles: IndexedSeq[PackedCorners]): Boolean =
+    triangles.length <= config.maxTriangles && vertices(triangles) <= config.maxVertices
+
+  private def refuse(tile: TileRegion, triangles: IndexedSeq[PackedCorners]): Nothing = {
+    val front = triangles.filterNot(_.back)
+    val cull =
+      if (front.length == triangles.length) ""
+      else s"--cull back leaves ${front.length} of them with ${vertices(front)} vertices${if (fits(front)) ""
+        else ", too many as well"}; "
+    throw InputError(
+      s"$scene: ${triangles.length} triangles with ${vertices(triangles)} vertices in the tile at pixel " +
+        s"(${tile.x0 * config.tileWidth}, ${tile.y0 * config.tileHeight}), in a pass of its own; " +
+        s"the store holds ${config.maxTriangles} triangles and ${config.maxVertices} vertices: ${cull}" +
+        "a larger picture (--size) or an eye that is closer spreads them over more tiles; or draw a simpler mesh"
+    )
+  }
+
+  private def overlap(r: TileRegion, t: PackedCorners): PixelBox = PixelBox(
+    t.pixels.x0.max(r.x0 * config.tileWidth),
+    t.pixels.y0.max(r.y0 * config.tileHeight),
+    t.pixels.x1.min((r.x1 + 1) * config.tileWidth - 1),
+    t.pixels.y1.min((r.y1 + 1) * config.tileHeight - 1)
+  )
 
   private def touches(r: TileRegion, t: PackedCorners): Boolean = {
     val b = t.pixels

@@ -10,7 +10,7 @@ import org.joml.{Vector3d, Vector4d}
   * @param cullBack
   *   drop triangles that are clockwise on the screen
   * @param wrap
-  *   for both texture coordinates
+  *   for both texture coordinates, of materials without one of their own
   * @param background
   *   0xRRGGBB
   * @param depthTest

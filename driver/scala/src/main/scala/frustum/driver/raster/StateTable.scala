@@ -34,8 +34,8 @@ object StateTable {
     val combine = if (m.combine == Combine.Replace && options.light.isDefined) Combine.Modulate else m.combine
     RenderState(
       texture = m.texture.map(textures.references),
-      wrapS = options.wrap,
-      wrapT = options.wrap,
+      wrapS = m.wrap.getOrElse(options.wrap),
+      wrapT = m.wrap.getOrElse(options.wrap),
       combine = if (m.texture.isEmpty) Combine.ColorOnly else combine,
       depth = if (options.depthTest) DepthFunction.Less else DepthFunction.Always,
       depthWrite = options.depthTest && !m.blend,

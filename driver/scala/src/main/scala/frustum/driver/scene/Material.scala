@@ -1,6 +1,6 @@
 package frustum.driver.scene
 
-import frustum.contract.raster.Combine
+import frustum.contract.raster.{Combine, Wrap}
 
 /** How the triangles that name it look.
   *
@@ -14,6 +14,8 @@ import frustum.contract.raster.Combine
   *   drawn after everything opaque, back to front, without writing depth
   * @param alphaTest
   *   fragments whose alpha is below this (0..1) are dropped
+  * @param wrap
+  *   for both texture coordinates, where the material has one of its own
   */
 final case class Material(
     name: String,
@@ -22,7 +24,8 @@ final case class Material(
     texture: Option[TextureImage],
     combine: Combine,
     blend: Boolean,
-    alphaTest: Option[Double]
+    alphaTest: Option[Double],
+    wrap: Option[Wrap] = None
 )
 
 object Material {

@@ -1,5 +1,6 @@
 package frustum.driver.scene
 
+import frustum.files.Notice
 import org.joml.Vector3d
 import java.nio.file.Path
 
@@ -34,6 +35,8 @@ final case class Triangle(v0: MeshVertex, v1: MeshVertex, v2: MeshVertex, materi
   *   0xRRGGBB
   * @param origin
   *   where it was read from, for messages
+  * @param notices
+  *   what of its files was skipped or replaced
   */
 final case class Scene(
     name: String,
@@ -41,7 +44,8 @@ final case class Scene(
     materials: IndexedSeq[Material],
     camera: Camera,
     background: Int,
-    origin: Option[SceneOrigin] = None
+    origin: Option[SceneOrigin] = None,
+    notices: IndexedSeq[Notice] = IndexedSeq.empty
 ) {
 
   /** What messages call it, and one of its triangles. */
