@@ -7,7 +7,7 @@ import spinal.core._
 /** y = f(x) of 16 bits each, one a clock, latency `FunctionUnit.Latency`: two memories of 256 x 16 and one multiplier,
   * which adds the line's step to its base. Error: see [[frustum.contract.arithmetic.FunctionTable]].
   */
-case class FunctionUnit(table: FunctionTable, tech: Tech) extends Component {
+case class FunctionUnit(table: FunctionTable, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
     val x = in UInt (16 bits)
     val y = out UInt (16 bits)

@@ -17,7 +17,7 @@ import spinal.core._
   *   while `holdA` is high, the operand a registered last is used again
   */
 case class Multiplier16(
-    tech: Tech,
+    tech: Tech = Tech.Generic,
     signedA: Boolean,
     signedB: Boolean,
     add: Boolean = false,

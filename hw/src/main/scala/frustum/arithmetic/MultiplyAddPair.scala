@@ -6,7 +6,7 @@ import spinal.core._
 /** Two of addend + a * b modulo 2^16, with a signed and b unsigned, 8 bits each; latency one clock, one a clock. On iCE40
   * it is one SB_MAC16, whose result leaves it without a register.
   */
-case class MultiplyAddPair(tech: Tech) extends Component {
+case class MultiplyAddPair(tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
     val a = in Vec (SInt(8 bits), 2)
     val b = in Vec (UInt(8 bits), 2)

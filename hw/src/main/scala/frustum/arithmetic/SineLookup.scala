@@ -4,7 +4,7 @@ import frustum.contract.arithmetic.SineTable
 import spinal.core._
 import spinal.lib._
 
-/** Sine of an angle in 1/1024 turns, 16 fraction bits, three clocks later; see [[frustum.contract.arithmetic.SineTable]]. */
+/** Sine of an angle in 1/1024 turns, 16 fraction bits, latency [[SineLookup.Latency]] cycles; see [[frustum.contract.arithmetic.SineTable]]. */
 case class SineLookup() extends Component {
   import SineTable._
   val io = new Bundle {
@@ -19,4 +19,8 @@ case class SineLookup() extends Component {
   val minus = Delay(io.angle.msb, 2)
   val size = Mux(one, U(1 << FractionBits, Width bits), word.resize(Width)).asSInt
   io.sine := RegNext(Mux(minus, -size, size))
+}
+
+object SineLookup {
+  val Latency = 3
 }

@@ -6,7 +6,7 @@ import spinal.core._
 /** a b exactly, a signed of up to 31 bits, b unsigned of 16: one multiplier for the lower 15 bits of a and one for the
   * rest, and an adder behind their registers. Latency that of [[Multiplier16]].
   */
-case class WideMultiplier(tech: Tech, widthA: Int) extends Component {
+case class WideMultiplier(tech: Tech = Tech.Generic, widthA: Int) extends Component {
   require(widthA >= 2 && widthA <= 31, s"WideMultiplier: a of $widthA bits, from 2 to 31")
   val io = new Bundle {
     val a = in SInt (widthA bits)

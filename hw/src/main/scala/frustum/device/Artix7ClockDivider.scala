@@ -5,7 +5,7 @@ import spinal.core._
 /** A quarter of a clock, on a global clock net. With [[Tech.Generic]] the clock passes straight through: a simulation
   * drives it at the output's frequency.
   */
-case class Artix7ClockDivider(tech: Tech) extends Component {
+case class Artix7ClockDivider(tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
     val clockIn = in Bool ()
     val clockOut = out Bool ()

@@ -7,7 +7,7 @@ import spinal.core._
   *
   * @param gated only the clocks at whose start `enable`, a register's, rises or stays high
   */
-case class ClockOutput(tech: Tech, gated: Boolean = false) extends Component {
+case class ClockOutput(tech: Tech = Tech.Generic, gated: Boolean = false) extends Component {
   val io = new Bundle {
     val enable = gated generate in(Bool())
     val pin = out Bool ()

@@ -5,7 +5,7 @@ import spinal.core._
 /** `complement ? ~(a + b) : a + b`. On iCE40 one logic cell a bit, because the cell's fourth input, which synthesis leaves
   * unused beside a carry, complements the sum.
   */
-case class ComplementingAdder(width: Int, tech: Tech) extends Component {
+case class ComplementingAdder(width: Int, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
     val complement = in Bool ()
     val a, b = in SInt (width bits)

@@ -6,7 +6,7 @@ import spinal.core._
   * because the cell's fourth input, which synthesis leaves unused beside a carry, chooses between sum and
   * `a`.
   */
-case class ConditionalAdder(width: Int, tech: Tech) extends Component {
+case class ConditionalAdder(width: Int, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
     val condition = in Bool ()
     val a, b = in UInt (width bits)

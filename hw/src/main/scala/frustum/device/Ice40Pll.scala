@@ -8,7 +8,7 @@ import spinal.core._
   * [[Tech.Generic]] the clock passes straight through and is locked after its first clocks, so that what waits for
   * the lock is reset as on the device: a simulation drives the pad at the output frequency.
   */
-case class Ice40Pll(settings: Ice40PllSettings, tech: Tech) extends Component {
+case class Ice40Pll(settings: Ice40PllSettings, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
     val clockIn = in Bool ()
     val enable = in Bool ()

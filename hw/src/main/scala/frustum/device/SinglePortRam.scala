@@ -8,7 +8,7 @@ import spinal.core._
   * @param width a multiple of 16
   * @param maskBits of a word that a bit of the mask stands for: 16, 8 or 4
   */
-case class SinglePortRam(words: Int, width: Int, tech: Tech, maskBits: Int = 16) extends Component {
+case class SinglePortRam(words: Int, width: Int, tech: Tech = Tech.Generic, maskBits: Int = 16) extends Component {
   require(width % 16 == 0, s"SinglePortRam: width $width is not a multiple of 16")
   require(Seq(4, 8, 16).contains(maskBits), s"SinglePortRam: mask of $maskBits bits is not of 4, 8 or 16")
   val addressBits = log2Up(words)

@@ -21,7 +21,7 @@ import spinal.lib._
   *   - `state` must be stable from when a fragment is taken until `busy` is low; it rises the clock after
   *   - `texels` writes texel memory; each write costs the fragments a clock
   */
-case class FragmentPipeline(config: RasterConfig, tech: Tech) extends Component {
+case class FragmentPipeline(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
     val up = slave(Stream(InterpolatedFragment(config)))
     val state = in(RenderStateWord())

@@ -20,8 +20,12 @@ import spinal.lib._
   * @param slots        triangles kept set up from tile to tile, see [[frustum.raster.setup.TriangleSetup]]
   * @param dropWhenFull see [[frustum.raster.link.Framer]]: true behind a source that cannot wait, such as an SPI slave
   */
-case class RasterPipeline(config: RasterConfig, slots: Int = 6, dropWhenFull: Boolean = true, tech: Tech)
-    extends Component {
+case class RasterPipeline(
+    config: RasterConfig,
+    slots: Int = 6,
+    dropWhenFull: Boolean = true,
+    tech: Tech = Tech.Generic
+) extends Component {
   val io = new Bundle {
     val bytes = slave(Stream(Bits(8 bits)))
     val pixels = master(Stream(ResolvedPixel(config)))

@@ -15,7 +15,7 @@ import spinal.lib._
   *
   * @param slots triangles that stay set up, see [[TriangleSetup]]
   */
-case class Rasterizer(config: RasterConfig, slots: Int, tech: Tech) extends Component {
+case class Rasterizer(config: RasterConfig, slots: Int, tech: Tech = Tech.Generic) extends Component {
   val layout = StoreLayout(config)
   val io = new Bundle {
     val frame = slave Stream (FrameJob(config))

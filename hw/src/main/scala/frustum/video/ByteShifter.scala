@@ -16,7 +16,7 @@ case class DisplayByte() extends Bundle {
   *
   * With one clock a bit SCK is the clock itself, see [[frustum.device.ClockOutput]].
   */
-case class ByteShifter(clocksPerBit: Int, tech: Tech) extends Component {
+case class ByteShifter(clocksPerBit: Int, tech: Tech = Tech.Generic) extends Component {
   require(clocksPerBit >= 1 && isPow2(clocksPerBit), s"ByteShifter: $clocksPerBit clocks a bit are not 1, 2, 4, 8 ...")
   val io = new Bundle {
     val bytes = slave(Stream(DisplayByte()))

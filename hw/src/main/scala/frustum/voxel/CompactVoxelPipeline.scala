@@ -8,45 +8,46 @@ import frustum.voxel.world.{SharedWorldMemory, WorldWrite}
 import spinal.core._
 import spinal.lib._
 
-/** [[VoxelPipeline]] for a small FPGA: the same pictures, pixels in order, RGB565, a frame buffer needless. Rays march four at a time, a
-  * step a clock; what happens once a ray, a face or a layer takes 9 to 17 clocks on one or two multipliers a unit.
+/** [[VoxelPipeline]] for a small FPGA: the same pictures, pixels in order, RGB565, a frame buffer needless. Rays march
+  * four at a time, a step a cycle; what happens once a ray, a face or a layer takes 9 to 17 cycles on one or two
+  * multipliers a unit.
   * {{{
   * SerialRays -> Marcher <-> SharedWorldMemory
   *                  Marcher -> SerialTexel -> SerialComposite -> PixelOrder -> pixels
   * }}}
-  * `start` is taken while not `busy` and a frame is drawn with the newest whole camera. Edits wait until a frame is drawn; if more than
-  * [[CompactVoxelPipeline.Patient]] do, they are made at once, a world being loaded.
+  * `start` is taken while not `busy` and a frame is drawn with the newest whole camera. Edits wait until a frame is
+  * drawn; if more than [[CompactVoxelPipeline.Patient]] do, they are made at once, a world being loaded.
   *
   * @param camera the one of the start
   */
 case class CompactVoxelPipeline(
-    c: VoxelConfig,
+    config: VoxelConfig,
     assets: VoxelAssets,
     camera: VoxelCamera,
-    tech: Tech,
+    tech: Tech = Tech.Generic,
     reach: Int = VoxelConfig.Reach
 ) extends Component {
   import CompactVoxelPipeline._
-  fault(c).foreach(fault => throw new IllegalArgumentException(fault))
+  fault(config).foreach(fault => throw new IllegalArgumentException(fault))
   val io = new Bundle {
     val start = in Bool ()
     val highlight = in Bool ()
     val camera = slave(Flow(CameraWrite()))
     val commit = in Bool ()
-    val edit = slave(Stream(WorldWrite(c)))
+    val edit = slave(Stream(WorldWrite(config)))
     val busy = out Bool ()
     val pending = out Bool () // edits wait
     val pixels = master(Stream(Bits(16 bits)))
-    val pointedAt = out(PointedAt(c))
+    val pointedAt = out(PointedAt(config))
     val step = out Bool ()
   }
   private val stages = MarcherStages.Compact
-  val cameras = CameraMemory(c, camera)
-  val rays = CompactRays(c, tech)
-  val marcher = Marcher(c, assets.table, tech, stages)
-  val memory = SharedWorldMemory(c, tech)
-  val texels = CompactTexel(c, stages.slots, tech)
-  val composite = CompactComposite(c, assets.table, assets.textures, stages.slots, tech)
+  val cameras = CameraMemory(config, camera)
+  val rays = CompactRays(config, tech)
+  val marcher = Marcher(config, assets.table, tech, stages)
+  val memory = SharedWorldMemory(config, tech)
+  val texels = CompactTexel(config, stages.slots, tech)
+  val composite = CompactComposite(config, assets.table, assets.textures, stages.slots, tech)
   val order = PixelOrder()
 
   val starting = io.start && !io.busy
@@ -73,14 +74,14 @@ case class CompactVoxelPipeline(
   io.step := marcher.io.step
 
   val edits = new Area {
-    val queue = StreamFifo(WorldWrite(c), Edits)
+    val queue = StreamFifo(WorldWrite(config), Edits)
     queue.io.push << io.edit
     io.pending := queue.io.pop.valid
     val now = !io.busy || queue.io.occupancy > Patient
     memory.io.write << queue.io.pop.continueWhen(now).toFlow
   }
 
-  val pick = FacePicker(c, assets.table, stages.slots, reach)
+  val pick = FacePicker(config, assets.table, stages.slots, reach)
   pick.io.start := rays.io.start
   pick.io.hits << texels.io.down.toFlowFire
   rays.io.picked := pick.io.picked
@@ -98,11 +99,11 @@ case class CompactVoxelPipeline(
 object CompactVoxelPipeline {
 
   /** What it cannot be built for and what to do about it, or None. */
-  def fault(c: VoxelConfig): Option[String] =
-    if (c.leaps.wordBits > 8)
-      Some(s"leaps that take words of ${c.leaps.wordBits} bits do not fit two into 16; use up-down")
-    else if (c.farSquared - c.fogSquared >= (1 << 16))
-      Some(s"a view distance of ${c.distance} is too far for a multiplier of 16 bits; at most 24")
+  def fault(config: VoxelConfig): Option[String] =
+    if (config.leaps.wordBits > 8)
+      Some(s"leaps that take words of ${config.leaps.wordBits} bits do not fit two into 16; use up-down")
+    else if (config.farSquared - config.fogSquared >= (1 << 16))
+      Some(s"a view distance of ${config.distance} is too far for a multiplier of 16 bits; at most 24")
     else None
 
   /** Edits that wait while a frame is drawn, and how many of them are patient. */

@@ -8,40 +8,41 @@ import frustum.voxel.world.{WorldMemory, WorldReadBus, WorldWrite}
 import spinal.core._
 import spinal.lib._
 
-/** Pictures of a world of blocks, a word of the world's memory a clock:
+/** Pictures of a world of blocks, a word of the world's memory a cycle:
   * {{{
   * PixelRays -> RaySetup -> Marcher <-> WorldMemory
   *                             Marcher -> FaceTexel -> LayerComposite -> pixels, as they are done
   * }}}
   * `start` is taken while not `busy` and a frame is drawn from the camera as it is then; edits wait until the frame is
-  * drawn. Before the pixels the block in the screen's middle is found, which is drawn highlighted if `highlight` says so.
+  * drawn. Before the pixels the block in the screen's middle is found, which is drawn highlighted if `highlight` says
+  * so.
   *
   * @param reach blocks that can be pointed at are at most this far away
   */
 case class VoxelPipeline(
-    c: VoxelConfig,
+    config: VoxelConfig,
     kinds: BlockTable,
     textures: VoxelTextures,
-    tech: Tech,
+    tech: Tech = Tech.Generic,
     reach: Int = VoxelConfig.Reach
 ) extends Component {
   val io = new Bundle {
     val start = in Bool ()
-    val camera = in(CameraPort(c))
+    val camera = in(CameraPort(config))
     val highlight = in Bool ()
-    val edit = slave(Stream(WorldWrite(c)))
-    val look = slave(WorldReadBus(c)) // while not busy
+    val edit = slave(Stream(WorldWrite(config)))
+    val look = slave(WorldReadBus(config)) // while not busy
     val busy = out Bool ()
-    val pixels = master(Flow(VoxelColor(c)))
-    val pointedAt = out(PointedAt(c))
+    val pixels = master(Flow(VoxelColor(config)))
+    val pointedAt = out(PointedAt(config))
     val step = out Bool ()
   }
-  val rays = PixelRays(c)
-  val setup = VoxelRaySetup(c, tech)
-  val marcher = Marcher(c, kinds, tech)
-  val memory = WorldMemory(c)
-  val texels = FaceTexel(c, MarcherStages.Fast.slots)
-  val composite = LayerComposite(c, kinds, textures, MarcherStages.Fast.slots)
+  val rays = PixelRays(config)
+  val setup = VoxelRaySetup(config, tech)
+  val marcher = Marcher(config, kinds, tech)
+  val memory = WorldMemory(config)
+  val texels = FaceTexel(config, MarcherStages.Fast.slots)
+  val composite = LayerComposite(config, kinds, textures, MarcherStages.Fast.slots)
 
   val starting = io.start && !io.busy
   val camera = RegNextWhen(io.camera, starting)
@@ -63,7 +64,7 @@ case class VoxelPipeline(
 
   memory.io.write << io.edit.haltWhen(io.busy).toFlow.stage() // written before the first ray can read
 
-  val pick = FacePicker(c, kinds, MarcherStages.Fast.slots, reach)
+  val pick = FacePicker(config, kinds, MarcherStages.Fast.slots, reach)
   pick.io.start := rays.io.start
   pick.io.hits << texels.io.down
   rays.io.picked := pick.io.picked
@@ -73,8 +74,8 @@ case class VoxelPipeline(
 
   val drawing = new Area {
     val busy = RegInit(False) setWhen io.start
-    val left = Reg(UInt(c.pixelBits bits))
-    when(starting)(left := c.pixels - 1)
+    val left = Reg(UInt(config.pixelBits bits))
+    when(starting)(left := config.pixels - 1)
     when(io.pixels.valid) {
       left := left - 1
       when(left === 0)(busy := False)

@@ -30,7 +30,7 @@ class VoxelFaultsTest extends AnyFunSuite {
         (sum.zip(rgb).map { case (s, v) => s + weight * v }, left - weight)
       }
       assert(gathered.clear == 0)
-      for ((got, w) <- LayerComposite.channels(gathered.color).zip(want)) assert((got - w).abs <= 12, layers)
+      for ((got, w) <- VoxelConfig.channels(gathered.color).zip(want)) assert((got - w).abs <= 12, layers)
       // Behind an opaque layer nothing shows.
       assert(gathered.behind(Seq(255, 255, 255), 15) == gathered)
     }

@@ -17,7 +17,7 @@ import spinal.lib._
   * That is dst 32 + 16 + (src - dst) w; in logic cells, since w is the sum of a's bits at their weights and of bit 4 once
   * more, a sum of six terms, each src or dst.
   */
-case class Blend(config: RasterConfig, tech: Tech) extends Component {
+case class Blend(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
     val up = slave(Flow(PixelWrite(config)))
     val passed = in Bool () // whether what entered a clock ago is to be written

@@ -17,7 +17,7 @@ import spinal.lib._
   *
   * Where no state asks for anything but the texel there is nothing to do, and no latency.
   */
-case class Combine(config: RasterConfig, tech: Tech) extends Component {
+case class Combine(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
     val up = slave(Stream(TexturedFragment(config)))
     val state = in(RenderStateWord())

@@ -21,7 +21,8 @@ case class SetupResult() extends Bundle {
   * @param slots  triangles that the scratch memory holds, beside the words that all share
   * @param planes that are wanted
   */
-case class SetupEngine(slots: Int, tech: Tech, planes: Seq[Int] = SetupWords.AllPlanes) extends Component {
+case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] = SetupWords.AllPlanes)
+    extends Component {
   import SetupInstruction._
   import SetupWords.CodeBits
 

@@ -14,7 +14,7 @@ import spinal.lib._
   *
   * @param slots triangles kept
   */
-case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech) extends Component {
+case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech = Tech.Generic) extends Component {
   require(slots >= 3 && slots <= 6, s"TriangleSetup: $slots slots; from 3 (two are drawn, one is set up) to 6")
   val layout = StoreLayout(config)
   val io = new Bundle {

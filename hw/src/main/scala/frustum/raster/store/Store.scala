@@ -13,7 +13,7 @@ import spinal.lib._
   * may write: the others' `write` and `data` are not looked at. 16 K x 32 for the default layout: two SPRAM of the
   * iCE40UP5K side by side.
   */
-case class Store(layout: StoreLayout, clients: Int, tech: Tech) extends Component {
+case class Store(layout: StoreLayout, clients: Int, tech: Tech = Tech.Generic) extends Component {
   require(clients >= 2, s"Store: $clients clients, at least 2")
   val io = new Bundle {
     val clients = Vec.fill(Store.this.clients)(slave(StoreBus(layout)))

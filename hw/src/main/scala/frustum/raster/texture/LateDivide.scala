@@ -19,7 +19,7 @@ import spinal.lib.misc.pipeline._
   *      lower 15 bits and of its upper ones; lowest 15 bits cut
   *   1. shifted by e; cut to 17 fraction bits. So half of v's last place, times 2^e, is what is lost
   */
-case class LateDivide(config: RasterConfig, tech: Tech) extends Component {
+case class LateDivide(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val io = DivideIo()
   val ratio = config.ranges.ratio
   val low = LateDivide.low(config)

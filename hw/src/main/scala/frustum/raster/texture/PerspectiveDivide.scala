@@ -22,7 +22,7 @@ import spinal.lib.misc.pipeline._
   * whatever the input, so nothing wraps after the shift. Error: relative 2^-16 from r, and 2^-17 repeats from
   * cutting.
   */
-case class PerspectiveDivide(tech: Tech) extends Component {
+case class PerspectiveDivide(tech: Tech = Tech.Generic) extends Component {
   val io = DivideIo()
   val line = new LockstepPipeline(7)
   val enable = line.enable

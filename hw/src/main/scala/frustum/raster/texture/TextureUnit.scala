@@ -13,7 +13,7 @@ import spinal.lib._
   * was read has been taken, since a write spoils the memory's output; then writes go at one a clock. `state`
   * must be stable while `busy`, and from the clock before the first coordinate that it concerns.
   */
-case class TextureUnit(config: RasterConfig, tech: Tech) extends Component {
+case class TextureUnit(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
     val up = slave(Stream(TextureCoordinate()))
     val state = in(RenderStateWord())

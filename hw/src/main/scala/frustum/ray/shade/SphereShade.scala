@@ -12,7 +12,7 @@ import spinal.lib._
   * What enters belongs to one pixel at different clocks, so that it need not be kept: `q` first, `towards` after
   * `towardsAge` clocks and so on; `level` comes out after `latency`.
   */
-case class SphereShade(format: RayShade, tech: Tech) extends Component {
+case class SphereShade(format: RayShade, tech: Tech = Tech.Generic) extends Component {
   import format._
   val towardsAge: Int = 1 + FunctionUnit.Latency
   val litAge: Int = towardsAge + Multiplier16.Latency

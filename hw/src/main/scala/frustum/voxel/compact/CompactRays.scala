@@ -1,20 +1,22 @@
 package frustum.voxel.compact
 
-import frustum.arithmetic.Multiplier16
-import frustum.contract.arithmetic.ReciprocalTable
+import frustum.arithmetic.{Multiplier16, ReciprocalLine}
 import frustum.contract.voxel.{VoxelCamera, VoxelConfig}
 import frustum.device.Tech
-import frustum.voxel.march.{CameraMemory, PixelOrder, RayStart, VoxelRay}
+import frustum.voxel.march.{CameraMemory, PixelOrder, RayAxes, RayEntry, RaySlope, RayStart, VoxelRay}
 import spinal.core._
 import spinal.lib._
 
-/** What [[PixelRays]] and [[VoxelRaySetup]] do, with one adder of directions, one multiplier and directions kept in block RAM: a ray in 11 clocks.
+/** What [[PixelRays]] and [[VoxelRaySetup]] do, with one adder of directions, one multiplier and directions kept in block
+  * RAM: a ray in 11 cycles.
   *
-  * After `start` the camera must hold until `busy` falls. The ray that picks goes first; the others wait until `picked`, and each of them
-  * until there is `room` for its pixel, whose number, modulo 512, goes on from frame to frame. The models are those of the two units.
+  * After `start` the camera must hold until `busy` falls. The ray that picks goes first; the others wait until
+  * `picked`, and each of them until there is `room` for its pixel, whose number, modulo 512, goes on from frame to
+  * frame. The models are those of the two units.
   */
-case class CompactRays(c: VoxelConfig, tech: Tech) extends Component {
+case class CompactRays(config: VoxelConfig, tech: Tech = Tech.Generic) extends Component {
   import CameraMemory._
+  import CompactRaySteps._
   val io = new Bundle {
     val start = in Bool ()
     val picked = in Bool ()
@@ -24,24 +26,22 @@ case class CompactRays(c: VoxelConfig, tech: Tech) extends Component {
     val index = out UInt (4 bits)
     val value = in SInt (VoxelCamera.DirectionWidth bits)
     val pixel = out UInt (PixelOrder.TagBits bits) // the next one to begin
-    val down = master(Stream(RayStart(c)))
+    val down = master(Stream(RayStart(config)))
   }
   private val width = VoxelCamera.DirectionWidth
 
-  /** Clock within a ray: 0 to 4 its direction, to 8 the reciprocal of its greatest component; then, while the next ray begins, `late` to 12 the
-    * slopes, to 15 where it starts.
-    */
-  val clock = RegInit(U(0, 4 bits))
-  val late = RegInit(U(0, 4 bits))
+  /** Up to the reciprocal; then, while the next ray begins, the `late` steps. */
+  val step = RegInit(U(Begin, 4 bits))
+  val late = RegInit(U(Idle, LateBits bits))
 
   /** Which ray is made. */
   val scan = new Area {
     val picking, waiting, scanning = RegInit(False)
-    val column = Reg(UInt(log2Up(c.width) bits))
-    val row = Reg(UInt(log2Up(c.height) bits))
+    val column = Reg(UInt(log2Up(config.width) bits))
+    val row = Reg(UInt(log2Up(config.height) bits))
     val pixel = RegInit(U(0, PixelOrder.TagBits bits))
     val first = column === 0 && !picking // of its row
-    val done = clock === 8 // its direction is not needed any more
+    val done = step === Reciprocal // its direction is not needed any more
     io.begun := done
     io.busy := picking || waiting || scanning
     io.pixel := pixel
@@ -59,70 +59,66 @@ case class CompactRays(c: VoxelConfig, tech: Tech) extends Component {
       } otherwise {
         pixel := pixel + 1
         column := column + 1
-        when(column === c.width - 1) {
+        when(column === config.width - 1) {
           column := 0
           row := row + 1
-          when(row === c.height - 1)(scanning := False)
+          when(row === config.height - 1)(scanning := False)
         }
       }
     }
   }
 
-  val ray = Reg(VoxelRay(c))
-  val at = Reg(Vec(SInt(c.blockBits + c.fractionBits bits), 2))
+  val ray = Reg(VoxelRay(config))
+  val at = Reg(Vec(SInt(config.blockBits + config.fractionBits bits), 2))
   val past = Reg(Bits(2 bits))
-  val plane = Reg(SInt(c.blockBits bits))
+  val plane = Reg(SInt(config.blockBits bits))
   val downValid = RegInit(False) clearWhen io.down.ready
 
+  /** While the eye is asked for, no direction can be. */
+  val unasked = late <= AskEye(0) - Axes || late === AskEye(1) + 1
   val free = !downValid || io.down.ready
-  val runs = clock.mux(
-    0 -> ((scan.picking || scan.scanning && io.room) && (late <= 10 || late === 15)), // apart from eyes read at 13 and 14
-    5 -> (late === 0 && free),
+  val runs = step.mux(
+    Begin -> ((scan.picking || scan.scanning && io.room) && unasked),
+    Fast -> (late === Idle && free),
     default -> True
   )
-  when(runs)(clock := Mux(clock === 8, U(0), clock + 1))
-  when(late =/= 0)(late := late + 1)
-  when(clock === 8)(late := 9)
-  private def during(n: Int) = clock === n && runs
+  when(runs)(step := Mux(step === Reciprocal, U(Begin), step + 1))
+  when(late =/= Idle)(late := late + 1)
+  when(step === Reciprocal)(late := MultiplySlope(0))
 
   /** Directions, as they were for this row's first pixel (0 to 2) and as they are (4 to 6). */
   val directions = Mem(SInt(width bits), 8)
   val fast = Reg(UInt(2 bits))
   val mirrored = Reg(Bits(3 bits))
-  private def axis(i: Int) =
-    ray.fast.mux(0 -> U(i % 3, 2 bits), 1 -> U((i + 1) % 3, 2 bits), default -> U((i + 2) % 3, 2 bits))
-  val stepping = clock < 5
+  private def axis(i: Int) = RayAxes.number(ray.fast, i)
+  val stepping = step < Fast
   val from = Mux(stepping, scan.first || scan.column === 1 && !scan.picking, scan.first)
-  val wanted = clock.mux(6 -> axis(1), 7 -> axis(2), default -> clock(1 downto 0))
+  val wanted = step.mux(AskOther(0) -> axis(1), AskOther(1) -> axis(2), default -> step(1 downto 0))
   val before = directions.readSync(!from ## wanted.asBits asUInt)
-  val eyeAxis = Mux(late === 13, axis(1), Mux(late === 14, axis(2), axis(0)))
-  io.index := Mux(
-    late === 13 || late === 14 || clock === 8,
-    eyeAxis.resize(4),
-    (Mux(
-      scan.picking,
-      U(Look, 4 bits),
-      Mux(scan.first, Mux(scan.row === 0, U(Base, 4 bits), U(Down, 4 bits)), U(Right, 4 bits))
-    ) + clock(1 downto 0))
-  )
+  val eyeAxis = Mux(late === AskEye(0), axis(1), Mux(late === AskEye(1), axis(2), axis(0)))
+  val asksEye = late === AskEye(0) || late === AskEye(1) || step === AskFastEye
+  private def number(n: Int) = U(n, 4 bits)
+  val begins = Mux(scan.row === 0, number(Base), number(Down)) // a row
+  val vector = Mux(scan.picking, number(Look), Mux(scan.first, begins, number(Right)))
+  io.index := Mux(asksEye, eyeAxis.resize(4), vector + step(1 downto 0))
 
-  /** A component at a time, from the clock after it was read: its magnitude, and which was the greatest so far. */
+  /** A component at a time: its magnitude, and which was the greatest so far. */
   val direction = new Area {
     val begins = RegNext(scan.picking || scan.first && scan.row === 0)
     val read = RegNext(Mux(stepping, io.value + Mux(begins, S(0, width bits), before), before))
-    val magnitude = read.abs.resize(width - 1)
-    val major = Reg(UInt(width - 1 bits))
-    val tells = clock >= 2 && clock <= 4
-    val k = (clock - 2)(1 downto 0)
+    val magnitude = read.abs.resize(RaySlope.MagnitudeBits)
+    val major = Reg(UInt(RaySlope.MagnitudeBits bits))
+    val tells = step >= Component && step < Fast
+    val k = (step - Component)(1 downto 0)
     directions.write(!scan.first ## k.asBits asUInt, read, tells)
     when(tells) {
       mirrored(k) := read.msb
-      when(clock === 2 || magnitude > major) {
+      when(step === Component || magnitude > major) {
         major := magnitude
         fast := k
       }
     }
-    when(during(5)) {
+    when(step === Fast && runs) {
       ray.fast := fast
       ray.mirrored := mirrored
       ray.pick := scan.picking
@@ -132,73 +128,63 @@ case class CompactRays(c: VoxelConfig, tech: Tech) extends Component {
 
   val multiplier = Multiplier16(tech, signedA = false, signedB = false, add = true, hold = true)
   multiplier.io.enable := True
-  multiplier.io.holdA := late === 9 || late === 10
+  multiplier.io.holdA := late === MultiplySlope(0) || late === MultiplySlope(1) // the reciprocal
   val product = multiplier.io.product
 
+  /** The lowest bit of `late` tells the other axes' steps apart. */
+  private def which[T <: Data](steps: Int => Int)(first: T, second: T): T =
+    if (steps(0) % 2 == 0) Mux(late(0), second, first) else Mux(late(0), first, second)
+
   val slopes = new Area {
-    val half = !direction.major.msb
-    val f = Mux(half, direction.major(20 downto 1), direction.major(21 downto 2))
-    val lines = Mem(
-      Bits(32 bits),
-      (0 until 256).map(i => B(ReciprocalTable.base(i).toLong << 13 | ReciprocalTable.slope(i), 32 bits))
-    )
-    val word = lines.readSync(f(19 downto 12))
+    val f = RaySlope.mantissa(direction.major)
+    val line = ReciprocalLine.read(f)
     val scaled = Vec(Reg(UInt(16 bits)), 2)
-    val minor = direction.magnitude
-    when(clock === 8 || late === 9) {
+    when(step === Other(0) || late === MultiplySlope(0)) {
       scaled(0) := scaled(1)
-      scaled(1) := Mux(half, minor(21 downto 6), minor(22 downto 7))
+      scaled(1) := RaySlope.scaled(direction.magnitude, direction.major)
     }
-    val quotient = Mux(late(0), scaled(0), scaled(1)) - product(31 downto 17).asUInt
-    val slope = (Mux(quotient.msb, U(0x7fff, 15 bits), quotient(14 downto 0)) >> 15 - c.slopeBits)
-    when(late === 11)(ray.slopes(0) := slope)
-    when(late === 12)(ray.slopes(1) := slope)
+    val slope = RaySlope(config, which(Slope)(scaled(0), scaled(1)), product)
+    for (i <- 0 to 1) when(late === Slope(i))(ray.slopes(i) := slope)
   }
 
   val entry = new Area {
-    val which = late(0).asUInt // the second of the others at 13 and 15
-    val k = late.mux(9 -> axis(0), 14 -> axis(1), default -> axis(2))
-    val value = io.value.resize(c.blockBits + c.eyeBits)
-    val size = k.mux((0 to 2).map(i =>
-      i -> S(c.size.axes(i) << c.eyeBits, c.blockBits + c.eyeBits bits)
-    ) :+ (default -> S(0, c.blockBits + c.eyeBits bits)): _*)
-    val place = Mux(ray.mirrored(k), size - value, value)
-    val behind = Reg(UInt(c.eyeBits bits))
-    when(late === 9) {
-      plane := place >> c.eyeBits
-      behind := place(c.eyeBits - 1 downto 0).asUInt
+    val k = late.mux(MultiplySlope(0) -> axis(0), Position(0) -> axis(1), default -> axis(2))
+    val eye = RayAxes.mirroredEye(config, ray.mirrored, io.value.resize(config.blockBits + config.eyeBits), k)
+    val behind = Reg(UInt(config.eyeBits bits))
+    when(late === MultiplySlope(0)) {
+      plane := RayEntry.plane(config, eye)
+      behind := RayEntry.behind(config, eye)
     }
-    val after = Vec(ray.fast =/= 2, ray.fast === 0) // whether the axis comes after the fast one
-    for (i <- 0 to 1) ray.low(i) := after(i) && ray.slopes(i) =/= 0
-    val position = (place ## B(0, c.slopeBits bits)).asSInt -
-      (product(c.fractionBits downto 0).asUInt + ray.low(which).asUInt).resize(c.fractionBits + 2).asSInt
-    for (i <- 0 to 1) when(late === 14 + i) {
+    for (i <- 0 to 1) ray.low(i) := RayEntry.low(ray.fast, ray.slopes(i), i)
+    val position = RayEntry.at(config, eye, product, which(Position)(ray.low(0), ray.low(1)))
+    for (i <- 0 to 1) when(late === Position(i)) {
       at(i) := position
-      past(i) := (position >> c.fractionBits) =/= (place >> c.eyeBits)
+      past(i) := RayEntry.past(config, position, eye)
     }
-    when(late === 15)(downValid := True)
+    when(late === Position(1))(downValid := True)
   }
 
-  multiplier.io.a := Mux(
-    clock === 6,
-    slopes.word(12 downto 0).resize(16),
-    Mux(clock === 8, product(31 downto 16), Mux(late === 12, ray.slopes(0), ray.slopes(1)).asBits.resize(16))
-  )
-  multiplier.io.b := Mux(
-    clock === 6,
-    slopes.f(11 downto 0).asBits.resize(16),
-    Mux(late === 12 || late === 13, entry.behind.asBits.resize(16), slopes.scaled(1).asBits)
-  )
-  multiplier.io.addend := Mux(clock === 6, slopes.word(31 downto 13) ## B(0, 13 bits), B(0, 32 bits))
-
-  val end = new Area {
-    val steep = Vec((0 to 1).map(i => ray.slopes(i)(c.slopeBits - 1 downto c.slopeBits - 3)))
-    val slabs = Vec(c.slabs.map(n => U(n, 7 bits)))(steep(1) @@ steep(0))
-    io.down.end := plane.resize(c.endBits) + slabs.resize(c.endBits).asSInt
+  val operands = new Area {
+    val corrects = step === MultiplyLine
+    val slope = Mux(late === MultiplyBack(0), ray.slopes(0), ray.slopes(1)).asBits.resize(16)
+    val goesBack = late === MultiplyBack(0) || late === MultiplyBack(1)
+    multiplier.io.a := Mux(
+      corrects,
+      slopes.line.factor,
+      Mux(step === Reciprocal, ReciprocalLine.reciprocal(product), slope)
+    )
+    multiplier.io.b := Mux(
+      corrects,
+      ReciprocalLine.fraction(slopes.f),
+      Mux(goesBack, entry.behind.asBits.resize(16), slopes.scaled(1).asBits)
+    )
+    multiplier.io.addend := Mux(corrects, slopes.line.addend, B(0, 32 bits))
   }
+
   io.down.valid := downValid
   io.down.ray := ray
   io.down.place.plane := plane
   io.down.place.at := at
   io.down.place.past := past
+  io.down.end := RayEntry.end(config, plane, ray.slopes)
 }

@@ -10,12 +10,13 @@ case class CameraWrite() extends Bundle {
   val value = SInt(VoxelCamera.DirectionWidth bits)
 }
 
-/** Cameras in block RAM: the one that is drawn with, the newest that is whole, and one that is being written. `commit` makes the written one the newest,
-  * `take` draws with the newest. Numbers come a clock after they are asked for; the eye can be asked for a second time.
+/** Cameras in block RAM: the one that is drawn with, the newest that is whole, and one that is being written. `commit`
+  * makes the written one the newest, `take` draws with the newest. Numbers come [[CameraMemory.Latency]] cycles after
+  * they are asked for; the eye can be asked for a second time.
   *
   * @param initial the camera until another is committed after a reset; it has a bank of its own, which nothing writes
   */
-case class CameraMemory(c: VoxelConfig, initial: VoxelCamera) extends Component {
+case class CameraMemory(config: VoxelConfig, initial: VoxelCamera) extends Component {
   val io = new Bundle {
     val write = slave(Flow(CameraWrite()))
     val commit = in Bool ()
@@ -23,7 +24,7 @@ case class CameraMemory(c: VoxelConfig, initial: VoxelCamera) extends Component 
     val index = in UInt (4 bits)
     val value = out SInt (VoxelCamera.DirectionWidth bits)
     val axis = in UInt (2 bits)
-    val eye = out SInt (c.blockBits + c.eyeBits bits)
+    val eye = out SInt (config.blockBits + config.eyeBits bits)
   }
   val shown, newest = RegInit(U(0, 2 bits)) // banks; 0 is that of the start
   val written = RegInit(U(1, 2 bits)) // of 1 to 3, neither of these two
@@ -53,7 +54,10 @@ case class CameraMemory(c: VoxelConfig, initial: VoxelCamera) extends Component 
 
 object CameraMemory {
 
-  /** Where the numbers of a vector begin. */
+  /** Cycles from a number's index to the number. */
+  val Latency = 1
+
+  // Numbers at which the vectors begin.
   val Eye = 0
   val Look = 3
   val Base = 6

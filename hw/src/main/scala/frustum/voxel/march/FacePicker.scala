@@ -5,20 +5,21 @@ import frustum.voxel.world.BlockFlags
 import spinal.core._
 import spinal.lib._
 
-/** Keeps the first face of a selectable block within reach that the ray which picks meets, from `start` on, and tells when that ray has ended.
+/** Keeps the first face of a selectable block within reach that the ray which picks meets, from `start` on, and tells
+  * when that ray has ended.
   *
   * @param reach blocks
   */
-case class FacePicker(c: VoxelConfig, kinds: BlockTable, slots: Int, reach: Int) extends Component {
+case class FacePicker(config: VoxelConfig, kinds: BlockTable, slots: Int, reach: Int) extends Component {
   val io = new Bundle {
     val start = in Bool ()
-    val hits = slave(Flow(TexelHit(c, slots)))
+    val hits = slave(Flow(TexelHit(config, slots)))
     val picked = out(Bool())
-    val found = out(PointedAt(c))
+    val found = out(PointedAt(config))
   }
   val hit = io.hits
   val selectable = BlockFlags(kinds).where(_.selectable)(hit.id)
-  val found = Reg(PointedAt(c))
+  val found = Reg(PointedAt(config))
   found.valid init False
   when(io.start)(found.valid := False)
   when(hit.valid && hit.pick && hit.shown && selectable && !found.valid && hit.far <= 256 * reach * reach) {

@@ -1,12 +1,17 @@
 package frustum.voxel.march
 
-/** How a step is spread over clocks: which node of the ring does what; node 0 is the entrance.
+import frustum.voxel.world.WorldReadBus
+
+/** How a step is spread over cycles: which node of the ring does what; node 0 is the entrance.
   *
-  * @param where the block; @param look for its word; @param steps what it means; @param far where a leap ends
-  * @param choose where the ray is next
-  * @param slots rays at work, stages of the ring
+  * @param where   the block
+  * @param look    for its word
+  * @param steps   what the word means
+  * @param far     where a leap ends
+  * @param choose  where the ray is next
+  * @param slots   rays at work, stages of the ring
   * @param retries whether memory and hits may have to wait
-  * @param narrow multipliers of 16 x 16 bits
+  * @param narrow  multipliers of 16 x 16 bits
   */
 final case class MarcherStages(
     where: Int,
@@ -17,13 +22,31 @@ final case class MarcherStages(
     slots: Int,
     retries: Boolean,
     narrow: Boolean
-)
+) {
+
+  /** The word is there. */
+  val decide: Int = look + WorldReadBus.Latency
+}
 
 object MarcherStages {
 
-  /** For devices whose logic is fast. */
-  val Fast = MarcherStages(1, 2, 4, 5, 6, slots = 7, retries = false, narrow = false)
+  /** A register behind each, on devices whose logic is fast. */
+  val Fast: MarcherStages = {
+    val where = 1
+    val look = where + 1
+    val steps = look + WorldReadBus.Latency + 1
+    val far = steps + 1
+    val choose = far + 1
+    MarcherStages(where, look, steps, far, choose, slots = choose + 1, retries = false, narrow = false)
+  }
 
-  /** As few registers as go with some 25 MHz on an iCE40UP5K. */
-  val Compact = MarcherStages(1, 1, 3, 3, 4, slots = 4, retries = true, narrow = true)
+  /** Few registers: what goes with some 25 MHz on an iCE40UP5K. */
+  val Compact: MarcherStages = {
+    val where = 1
+    val look = where
+    val steps = look + WorldReadBus.Latency + 1
+    val far = steps
+    val choose = far + 1
+    MarcherStages(where, look, steps, far, choose, slots = choose, retries = true, narrow = true)
+  }
 }

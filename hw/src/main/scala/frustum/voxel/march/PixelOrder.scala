@@ -9,8 +9,8 @@ case class OrderedPixel() extends Bundle {
   val tag = UInt(PixelOrder.TagBits bits)
 }
 
-/** Brings pixels into the order of their numbers: 256 of them in block RAM, each with a bit that tells whether it was written in this
-  * round or in the one before.
+/** Brings pixels into the order of their numbers: 256 of them in block RAM, each with a bit that tells whether it was
+  * written in this round or in the one before.
   */
 case class PixelOrder() extends Component {
   import PixelOrder._

@@ -1,14 +1,13 @@
 package frustum.voxel.march
 
-import frustum.arithmetic.LockstepPipeline
-import frustum.contract.voxel.{BlockTable, VoxelConfig, VoxelTextures}
+import frustum.contract.voxel.VoxelConfig
 import spinal.core._
-import spinal.lib._
-import spinal.lib.misc.pipeline._
 
 /** The face that is pointed at. */
-case class PointedAt(c: VoxelConfig) extends Bundle {
+case class PointedAt(config: VoxelConfig) extends Bundle {
   val valid = Bool()
-  val block = Vec(UInt(c.size.logs.max bits), 3)
+  val block = Vec(UInt(config.size.logs.max bits), 3)
   val face = UInt(3 bits)
+
+  def is(hit: TexelHit): Bool = valid && face === hit.face && block === hit.block
 }

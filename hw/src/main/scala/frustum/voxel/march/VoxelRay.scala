@@ -9,60 +9,61 @@ case class Direction() extends Bundle {
 }
 
 /** A camera at a frame's start; see [[frustum.contract.voxel.VoxelCamera]]. */
-case class CameraPort(c: VoxelConfig) extends Bundle {
-  val eye = Vec(SInt(c.blockBits + c.eyeBits bits), 3)
+case class CameraPort(config: VoxelConfig) extends Bundle {
+  val eye = Vec(SInt(config.blockBits + config.eyeBits bits), 3)
   val look, base, right, down = Direction()
 }
 
 /** The direction of a pixel. `pick` marks the ray that finds the block pointed at; it has no pixel. */
-case class PixelRay(c: VoxelConfig) extends Bundle {
-  val pixel = UInt(c.pixelBits bits)
+case class PixelRay(config: VoxelConfig) extends Bundle {
+  val pixel = UInt(config.pixelBits bits)
   val pick = Bool()
   val direction = Direction()
 }
 
 /** What a ray keeps on its way.
   *
-  * Space is mirrored so that the ray goes up along all axes. `fast` is the axis along which it does so fastest; index i of the vectors
-  * is axis fast + 1 + i modulo 3. From a border of blocks across `fast` to the next, positions move on by
-  * `slopes`. A position is one unit low where `low` says so, which puts crossings at one time into the order x, y, z.
+  * Space is mirrored so that the ray goes up along all axes. `fast` is the axis along which it does so fastest; index i
+  * of the vectors is axis fast + 1 + i modulo 3. From a border of blocks across `fast` to the next, positions move on
+  * by `slopes`. A position is one unit low where `low` says so, which puts crossings at one time into the order x, y,
+  * z.
   */
-case class VoxelRay(c: VoxelConfig) extends Bundle {
-  val pixel = UInt(c.pixelBits bits)
+case class VoxelRay(config: VoxelConfig) extends Bundle {
+  val pixel = UInt(config.pixelBits bits)
   val pick = Bool()
   val mirrored = Bits(3 bits)
   val fast = UInt(2 bits)
-  val slopes = Vec(UInt(c.slopeBits bits), 2)
+  val slopes = Vec(UInt(config.slopeBits bits), 2)
   val low = Bits(2 bits)
 }
 
-/** Where a ray is: `at` along the two other axes at the border `plane` of the fast one, and whether it has `past` borders of
-  * theirs since.
+/** Place of a ray: `at` along the two other axes at the border `plane` of the fast one, and whether it has `past`
+  * borders of theirs since.
   */
-case class VoxelPlace(c: VoxelConfig) extends Bundle {
-  val plane = SInt(c.blockBits bits)
-  val at = Vec(SInt(c.blockBits + c.fractionBits bits), 2)
+case class VoxelPlace(config: VoxelConfig) extends Bundle {
+  val plane = SInt(config.blockBits bits)
+  val at = Vec(SInt(config.blockBits + config.fractionBits bits), 2)
   val past = Bits(2 bits)
 }
 
 /** A ray ready to march: up to border `end`, where all it could meet is out of view. */
-case class RayStart(c: VoxelConfig) extends Bundle {
-  val ray = VoxelRay(c)
-  val place = VoxelPlace(c)
-  val end = SInt(c.endBits bits)
+case class RayStart(config: VoxelConfig) extends Bundle {
+  val ray = VoxelRay(config)
+  val place = VoxelPlace(config)
+  val end = SInt(config.endBits bits)
 }
 
-/** Something a ray meets: a face, unless it has left the world or the view. `last`: nothing of this ray follows.
+/** Something a ray meets: a face, unless it has left the world or the view. Nothing of a ray follows its `last` one.
   *
   * @param slots rays that march at one time
   */
-case class FaceHit(c: VoxelConfig, slots: Int) extends Bundle {
-  val ray = VoxelRay(c)
+case class FaceHit(config: VoxelConfig, slots: Int) extends Bundle {
+  val ray = VoxelRay(config)
   val slot = UInt(log2Up(slots) bits)
   val face = Bool()
   val last = Bool()
   val id = UInt(frustum.contract.voxel.BlockTable.IdBits bits)
   val entry = UInt(2 bits) // axis of the border crossed: 0 the fast one, 1 and 2 the others
-  val block = Vec(UInt(c.size.logs.max bits), 3) // in the order of `entry`, mirrored
-  val at = Vec(SInt(c.blockBits + c.fractionBits bits), 2)
+  val block = Vec(UInt(config.size.logs.max bits), 3) // in the order of `entry`, mirrored
+  val at = Vec(SInt(config.blockBits + config.fractionBits bits), 2)
 }

@@ -5,16 +5,16 @@ import frustum.device.{SinglePortRam, Tech}
 import spinal.core._
 import spinal.lib._
 
-/** The world's memory with one port, two words of at most 8 bits in one of 16: on the iCE40UP5K a world of 64 x 64 x 32 is all of its SPRAM.
-  * A read is not `granted` in a clock with a write.
+/** The world's memory with one port, two words of at most 8 bits in one of 16: on the iCE40UP5K a world of 64 x 64 x 32
+  * is all of its SPRAM. A read is not `granted` in a cycle with a write.
   */
-case class SharedWorldMemory(c: VoxelConfig, tech: Tech) extends Component {
+case class SharedWorldMemory(config: VoxelConfig, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
-    val read = slave(WorldReadBus(c))
+    val read = slave(WorldReadBus(config))
     val granted = out Bool ()
-    val write = slave(Flow(WorldWrite(c)))
+    val write = slave(Flow(WorldWrite(config)))
   }
-  val ram = SinglePortRam(c.size.blocks / 2, 16, tech, maskBits = 8)
+  val ram = SinglePortRam(config.size.blocks / 2, 16, tech, maskBits = 8)
   val word = io.write.word.resize(8)
   ram.io.enable := True
   ram.io.write := io.write.valid

@@ -3,8 +3,8 @@ package frustum.voxel.world
 import frustum.contract.voxel.{BlockTable, VoxelTextures}
 import spinal.core._
 
-/** A texel's RGBA4444, one a clock, three clocks after what it depends on: texture by id and face, colour index by texel, colour by texture
-  * and index.
+/** A texel's RGBA4444, one a cycle, latency [[VoxelTables.Latency]] cycles: texture by id and face, colour index by
+  * texel, colour by texture and index.
   */
 case class VoxelTables(kinds: BlockTable, textures: VoxelTextures) extends Component {
   val io = new Bundle {
@@ -26,4 +26,10 @@ case class VoxelTables(kinds: BlockTable, textures: VoxelTextures) extends Compo
   val number = byId.readSync(io.id @@ io.face)
   val index = rom(4, each(textures.indices, 256)).readSync((number ## RegNext(io.v) ## RegNext(io.u)).asUInt)
   io.rgba := rom(16, each(textures.palettes, 16)).readSync((RegNext(number) ## index).asUInt)
+}
+
+object VoxelTables {
+
+  /** Three memories, one after the other. */
+  val Latency = 3
 }

@@ -5,18 +5,18 @@ import spinal.core._
 import spinal.lib._
 
 /** A word to be put into the world's memory; see [[frustum.contract.voxel.LeapField]]. */
-case class WorldWrite(c: VoxelConfig) extends Bundle {
-  val address = UInt(c.size.addressBits bits)
-  val word = Bits(c.leaps.wordBits bits)
+case class WorldWrite(config: VoxelConfig) extends Bundle {
+  val address = UInt(config.size.addressBits bits)
+  val word = Bits(config.leaps.wordBits bits)
 }
 
-/** The world's memory: a read a clock, the word a clock later, and a write beside it. */
-case class WorldMemory(c: VoxelConfig) extends Component {
+/** The world's memory: a read a cycle, the word [[WorldReadBus.Latency]] cycles later, and a write beside it. */
+case class WorldMemory(config: VoxelConfig) extends Component {
   val io = new Bundle {
-    val read = slave(WorldReadBus(c))
-    val write = slave(Flow(WorldWrite(c)))
+    val read = slave(WorldReadBus(config))
+    val write = slave(Flow(WorldWrite(config)))
   }
-  val words = Mem(Bits(c.leaps.wordBits bits), c.size.blocks)
+  val words = Mem(Bits(config.leaps.wordBits bits), config.size.blocks)
   io.read.word := words.readSync(io.read.address)
   words.write(io.write.address, io.write.word, io.write.valid)
 }

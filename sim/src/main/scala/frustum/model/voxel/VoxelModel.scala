@@ -1,7 +1,7 @@
 package frustum.model.voxel
 
 import frustum.contract.voxel.{SeenFace, VoxelAssets, VoxelCamera, VoxelConfig}
-import frustum.model.voxel.march.{FaceHit, Marcher, RayStart}
+import frustum.model.voxel.march.{FaceHit, Marcher, RayAxes, RayStart}
 import frustum.model.voxel.wide.{FaceTexel, LayerComposite, VoxelRaySetup}
 import frustum.model.voxel.world.LeapWords
 import frustum.scene.VoxelWorld
@@ -53,13 +53,11 @@ final class VoxelModel(val config: VoxelConfig, val assets: VoxelAssets, val wor
         faces += face
       }
     }
-    VoxelPixel(ray, faces.result(), layers.behind(LayerComposite.channels(config.sky), 15).color, steps)
+    VoxelPixel(ray, faces.result(), layers.behind(config.skyChannels, 15).color, steps)
   }
 
   private def seen(hit: FaceHit, t: FaceTexel): SeenFace = {
-    val Seq(x, y, z) = (0 to 2).map { k =>
-      if (hit.ray.mirrored(k)) config.size.axes(k) - 1 - hit.block(k) else hit.block(k)
-    }
+    val Seq(x, y, z) = (0 to 2).map(k => RayAxes.block(config, hit.ray.mirrored, hit.block(k), k))
     SeenFace(x, y, z, hit.id, t.face, t.u, t.v)
   }
 }

@@ -13,12 +13,13 @@ case class ConsolePadPins() extends Bundle with IMasterSlave {
   override def asMaster(): Unit = { out(att, sck, cmd); in(dat) }
 }
 
-/** Asks a console's pad, digital (id 0x41) or with sticks (0x73), what is held: SPI mode 3, least significant bit first, bytes
-  * 01 42 00 ..., of which the pad answers the second with its id, the third with 5A, then two of buttons and, with sticks, four of those.
+/** Asks a console's pad, digital (id 0x41) or with sticks (0x73), what is held: SPI mode 3, least significant bit
+  * first, bytes 01 42 00 ..., of which the pad answers the second with its id, the third with 5A, then two of buttons
+  * and, with sticks, four of those.
   *
-  * An answer counts when it is whole: without a pad, with another id or when the pad goes away meanwhile, the state is at rest. A pad
-  * that goes away leaves ones; four sticks at 255 at once are taken for that. A question takes some 1.1 ms with sticks at 83 kHz: nine bytes, and
-  * [[ConsolePad.PauseMicros]] before each.
+  * An answer counts when it is whole: without a pad, with another id or when the pad goes away meanwhile, the state is
+  * at rest. A pad that goes away leaves ones; four sticks at 255 at once are taken for that. A question takes some 1.1
+  * ms with sticks at 83 kHz: nine bytes, and [[ConsolePad.PauseMicros]] before each.
   *
   * @param clockHz core clock
   * @param sckHz   at most; pads take some 250 kHz
@@ -32,7 +33,7 @@ case class ConsolePad(clockHz: Long, sckHz: Int = 83333) extends Component {
     val done = out Bool () // pulses when `state` is new
   }
   private val toggle =
-    ((clockHz + 2L * sckHz - 1) / (2L * sckHz) - 2).toInt // SpiMasterCtrl takes two clocks more
+    ((clockHz + 2L * sckHz - 1) / (2L * sckHz) - 2).toInt // SpiMasterCtrl takes two cycles more
   private val pause = (clockHz * ConsolePad.PauseMicros / 1000000).toInt.max(8)
 
   val spi =
@@ -49,7 +50,7 @@ case class ConsolePad(clockHz: Long, sckHz: Int = 83333) extends Component {
   val waiting = Reg(UInt(log2Up(pause + 1) bits)) // before the next byte
   val id = answer(1)
   val sticks = id === ConsolePad.Analogue
-  val last = sticks ? U(ConsolePad.Bytes, 4 bits) | U(ConsolePad.DigitalBytes, 4 bits)
+  val last = Mux(sticks, U(ConsolePad.Bytes, 4 bits), U(ConsolePad.DigitalBytes, 4 bits))
   val ended = busy && waiting === 0 && index === last && index > 1
 
   spi.io.cmd.valid := busy && waiting === 0 && !ended
@@ -106,6 +107,6 @@ object ConsolePad {
   val DigitalBytes = 5
   val Bytes = 9
 
-  /** Before each byte, for the pad's processor. */
+  /** Pause before each byte, which the pad's processor needs. */
   val PauseMicros = 20
 }

@@ -9,6 +9,7 @@ import spinal.lib._
   * pressed at once, or reset.
   */
 case class PongGame() extends Component {
+  import PongGame._
   val io = new Bundle {
     val tick = in Bool ()
     val buttons = in(PongButtons()) // steady during a tick
@@ -23,23 +24,23 @@ case class PongGame() extends Component {
   val tens, ones = Reg(UInt(4 bits)) init 0
   val restart = io.tick && io.buttons.restart
   val step =
-    History(io.tick && !io.buttons.restart && !won && !lost, 0 to PongGame.TickClocks - 1, init = False)
+    History(io.tick && !io.buttons.restart && !won && !lost, 0 to TickClocks - 1, init = False)
 
   val paddle = Paddle()
   paddle.io.restart := restart
   paddle.io.buttons := io.buttons
-  paddle.io.move := step(0)
+  paddle.io.move := step(Move)
   val puck = Seq.tabulate(3)(a => PuckAxis(PuckLow(a), PuckHigh(a), PuckStart(a)))
   for (p <- puck) {
     p.io.restart := restart
-    p.io.move := step(0)
-    p.io.bound := step(1)
+    p.io.move := step(Move)
+    p.io.bound := step(Bound)
   }
 
-  val atWall = RegNextWhen(puck(2).io.atHigh, step(1)) init False
+  val atWall = RegNextWhen(puck(2).io.atHigh, step(Bound)) init False
   val off = Vec(RegNext(puck(0).io.position - paddle.io.x), RegNext(puck(1).io.position - paddle.io.y))
   val near = Vec(off.map(d => RegNext(d.abs < Reach)))
-  val catches = step(4) && atWall && near.andR
+  val catches = step(Decide) && atWall && near.andR
   for (a <- 0 to 1) {
     puck(a).io.turn := catches
     puck(a).io.newSpeed := (off(a).abs |>> 1).resized
@@ -50,7 +51,7 @@ case class PongGame() extends Component {
   puck(2).io.newPositive := False
 
   when(io.tick)(caught := False)
-  when(step(4) && atWall) {
+  when(step(Decide) && atWall) {
     caught := near.andR
     lost := !near.andR
   }
@@ -77,6 +78,12 @@ case class PongGame() extends Component {
 
 object PongGame {
 
-  /** Move, bound, distance, near, decide. */
-  val TickClocks = 5
+  // Steps of a tick: all move, the puck turns at the walls; its distance from the paddle is known, then whether that
+  // is near.
+  private val Move = 0
+  private val Bound = Move + 1
+  private val Away = Bound + 1
+  private val Near = Away + 1
+  private val Decide = Near + 1
+  val TickClocks = Decide + 1
 }

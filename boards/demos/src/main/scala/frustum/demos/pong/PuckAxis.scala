@@ -2,7 +2,7 @@ package frustum.demos.pong
 
 import spinal.core._
 
-/** One axis of the puck: position, unsigned speed and direction. `move` adds the speed, a clock later `bound` sets a
+/** One axis of the puck: position, unsigned speed and direction. `move` adds the speed, a cycle later `bound` sets a
   * position beyond a limit to the limit and turns; `turn` takes a new speed and direction instead.
   */
 case class PuckAxis(low: Int, high: Int, start: Int) extends Component {

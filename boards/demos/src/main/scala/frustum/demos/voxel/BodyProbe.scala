@@ -1,32 +1,33 @@
 package frustum.demos.voxel
 
 import frustum.contract.voxel.{BlockTable, VoxelConfig}
-import frustum.voxel.world.{BlockFlags, WorldReadBus}
+import frustum.voxel.world.{BlockFlags, LeapWord, WorldPlace, WorldReadBus}
 import spinal.core._
 import spinal.lib._
 
-/** Whether a player's body, with its feet at some place, touches a block that can be pointed at: reads the blocks that the body reaches into, at most
-  * twelve, four clocks each. What lies outside of the world is air. The model is `frustum.model.demos.voxel.VoxelPlayer.touches`.
+/** Whether a player's body, with its feet at some place, touches a block that can be pointed at: reads the blocks that
+  * the body reaches into, at most twelve, four cycles each. What lies outside of the world is air. The model is
+  * `frustum.model.demos.voxel.VoxelPlayer.touches`.
   *
   * `start` takes the place; `touches` and the blocks `low` to `high` hold from `done` to the next start.
   */
-case class BodyProbe(c: VoxelConfig, kinds: BlockTable) extends Component {
+case class BodyProbe(config: VoxelConfig, kinds: BlockTable) extends Component {
+  import BodyProbe._
   val io = new Bundle {
     val start = in Bool ()
-    val feet = in Vec (SInt(VoxelPose.width(c) bits), 3)
-    val read = master(WorldReadBus(c))
-    val low, high = out Vec (SInt(c.blockBits bits), 3)
+    val feet = in Vec (SInt(VoxelPose.width(config) bits), 3)
+    val read = master(WorldReadBus(config))
+    val low, high = out Vec (SInt(config.blockBits bits), 3)
     val done = out Bool ()
     val touches = out Bool ()
   }
-  val low, high, at = Reg(Vec(SInt(c.blockBits bits), 3))
+  val low, high, at = Reg(Vec(SInt(config.blockBits bits), 3))
   val busy, touches = RegInit(False)
-  val phase = Reg(UInt(2 bits)) // address, memory, word, next
-  val inside = (0 to 2).map(k => !at(k).msb && (at(k) >> c.size.logs(k)) === 0).reduce(_ && _)
-  val address = RegNext(Cat((2 to 0 by -1).map(k => at(k)(c.size.logs(k) - 1 downto 0))).asUInt)
+  val since = Reg(UInt(2 bits)) // cycles that the place stands
+  val address = RegNext(WorldPlace.address(config.size, at))
   val word = RegNext(io.read.word)
-  val solid = RegNext(inside) && word.msb &&
-    BlockFlags(kinds).where(_.selectable)(word(BlockTable.IdBits - 1 downto 0).asUInt)
+  val inside = RegNext(WorldPlace.inside(config.size, at))
+  val solid = inside && LeapWord.isBlock(word) && BlockFlags(kinds).where(_.selectable)(LeapWord.id(word))
   val over = Vec((0 to 2).map(k => at(k) === high(k)))
 
   private def block(from: SInt, by: Int): SInt = (from + by) >> 8
@@ -38,11 +39,11 @@ case class BodyProbe(c: VoxelConfig, kinds: BlockTable) extends Component {
       at(k) := block(io.feet(k), first)
     }
     busy := True
-    phase := 0
+    since := 0
     touches := False
   } elsewhen (busy) {
-    phase := phase + 1
-    when(phase === 3) {
+    since := since + 1
+    when(since === Answer) {
       touches setWhen solid
       at(2) := at(2) + 1
       when(over(2)) {
@@ -60,5 +61,11 @@ case class BodyProbe(c: VoxelConfig, kinds: BlockTable) extends Component {
   io.low := low
   io.high := high
   io.touches := touches
-  io.done := RegNext(busy && phase === 3 && over.andR && !io.start) init False
+  io.done := RegNext(busy && since === Answer && over.andR && !io.start) init False
+}
+
+object BodyProbe {
+
+  /** Cycles from a place to its word: address, memory and word have a register each. */
+  private val Answer = 1 + WorldReadBus.Latency + 1
 }

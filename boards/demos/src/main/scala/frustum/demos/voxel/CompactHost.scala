@@ -6,16 +6,17 @@ import frustum.voxel.world.WorldWrite
 import spinal.core._
 import spinal.lib._
 
-/** [[VoxelHost]] without a register of its own for the camera: its numbers go on as they come, and `commit` says that they were all right. What is
-  * wrong changes nothing and is counted, as there; so are blocks by their id and places for a player, whose work nothing here does.
+/** [[VoxelHost]] without a register of its own for the camera: its numbers go on as they come, and `commit` says that
+  * they were all right. What is wrong changes nothing and is counted, as there; so are blocks by their id and places
+  * for a player, which have no hardware here.
   *
-  * @param silence clocks after which the next byte begins a command
+  * @param silence cycles after which the next byte begins a command
   */
-case class CompactHost(c: VoxelConfig, silence: Int) extends Component {
+case class CompactHost(config: VoxelConfig, silence: Int) extends Component {
   import VoxelHostCommand._
   val io = new Bundle {
     val bytes = slave(Stream(Bits(8 bits)))
-    val edit = master(Stream(WorldWrite(c)))
+    val edit = master(Stream(WorldWrite(config)))
     val camera = master(Flow(CameraWrite()))
     val commit = out Bool ()
     val highlight = out Bool () // with `commit`
@@ -55,7 +56,7 @@ case class CompactHost(c: VoxelConfig, silence: Int) extends Component {
       index := index + 1
     }
   }
-  when(numberCame && io.camera.index < 3 && !VoxelHost.eyeFits(c, io.camera.value))(eyeFits := False)
+  when(numberCame && io.camera.index < 3 && !VoxelHost.eyeFits(config, io.camera.value))(eyeFits := False)
 
   io.commit := False
   io.highlight := opcode === Highlight
@@ -65,7 +66,7 @@ case class CompactHost(c: VoxelConfig, silence: Int) extends Component {
       io.commit := eyeFits
       framing.io.refuse := !eyeFits
     } otherwise {
-      val right = opcode === Write && address < c.size.blocks && (word >> c.leaps.wordBits) === 0
+      val right = opcode === Write && address < config.size.blocks && (word >> config.leaps.wordBits) === 0
       editValid := right
       framing.io.refuse := !right
     }

@@ -9,19 +9,19 @@ import spinal.core._
 import spinal.lib._
 import spinal.lib.com.uart.{UartCtrl, UartCtrlInitConfig, UartParityType, UartStopType}
 
-/** A world of blocks on a serial display: a host sends world and camera over a serial line, frame after frame goes to the display pixel by
-  * pixel as it is drawn. A frame is of one camera, and of one world unless one is being loaded.
+/** A world of blocks on a serial display: a host sends world and camera over a serial line, frame after frame goes to
+  * the display pixel by pixel as it is drawn. A frame is of one camera, and of one world unless one is being loaded.
   *
   * @param camera the one of the start
   * @param clocksPerBit of the display's SCK
   * @param fast   shortens the display's pauses, for simulation
   */
 case class CompactVoxelConsole(
-    c: VoxelConfig,
+    config: VoxelConfig,
     assets: VoxelAssets,
     camera: VoxelCamera,
     panel: Panel,
-    tech: Tech,
+    tech: Tech = Tech.Generic,
     baud: Int = 500000,
     clocksPerBit: Int = 1,
     fast: Int = 1
@@ -32,10 +32,10 @@ case class CompactVoxelConsole(
     val refused = out UInt (8 bits) // commands of the host
   }
   private val clockHz = ClockDomain.current.frequency.getValue.toLong
-  val screen = WholeScreen(c.width, c.height)
+  val screen = WholeScreen(config.width, config.height)
   val uart = UartCtrl(UartCtrlInitConfig(baud, 7, UartParityType.NONE, UartStopType.ONE), readonly = true)
-  val host = CompactHost(c, silence = (clockHz * VoxelHostCommand.SilenceMicros / 1000000).toInt)
-  val pipeline = CompactVoxelPipeline(c, assets, camera, tech)
+  val host = CompactHost(config, silence = (clockHz * VoxelHostCommand.SilenceMicros / 1000000).toInt)
+  val pipeline = CompactVoxelPipeline(config, assets, camera, tech)
   val display = SpiDisplay(screen, panel, clockHz, clocksPerBit, fast, tech)
 
   /** The receiver looks eight times a bit. */
@@ -51,7 +51,7 @@ case class CompactVoxelConsole(
   pipeline.io.commit := host.io.commit
   pipeline.io.start := !pipeline.io.edit.valid && !pipeline.io.pending
 
-  /** Whether the face in the middle is highlighted: with the newest camera, and with the one that is drawn with. */
+  /** The face in the middle is highlighted or not with the newest camera, and with the one that is drawn with. */
   val highlight = new Area {
     val newest, shown = RegInit(True)
 
@@ -64,9 +64,9 @@ case class CompactVoxelConsole(
 
   /** Pixels on their way to the display: the first of each frame begins its window. */
   val scan = new Area {
-    val left = Reg(UInt(c.pixelBits bits)) init 0 // of the frame
+    val left = Reg(UInt(config.pixelBits bits)) init 0 // of the frame
     val first = left === 0
-    when(pipeline.io.pixels.fire)(left := Mux(first, U(c.pixels - 1), left - 1))
+    when(pipeline.io.pixels.fire)(left := Mux(first, U(config.pixels - 1), left - 1))
     display.io.pixels.arbitrationFrom(pipeline.io.pixels)
     display.io.pixels.color := pipeline.io.pixels.payload
     display.io.pixels.first := first

@@ -3,16 +3,17 @@ package frustum.demos.voxel
 import spinal.core._
 import spinal.lib._
 
-/** Cuts a host's bytes into commands, see [[frustum.contract.voxel.VoxelHostCommand]]: an opcode, its payload, and a byte that makes the sum of all 0
-  * modulo 256. An unknown opcode, a wrong sum and a command that is cut short are counted; so is what its user refuses.
+/** Cuts a host's bytes into commands, see [[frustum.contract.voxel.VoxelHostCommand]]: an opcode, its payload, and a byte that
+  * makes the sum of all 0 modulo 256. An unknown opcode, a wrong sum and a command that is cut short are counted; so is
+  * what its user refuses.
   *
   * @param bytesOf payload of each opcode, in bytes
-  * @param silence clocks after which the next byte begins a command
+  * @param silence cycles after which the next byte begins a command
   */
 case class HostFraming(bytesOf: Map[Int, Int], silence: Int) extends Component {
   val io = new Bundle {
     val bytes = slave(Flow(Bits(8 bits)))
-    val opcode = out UInt (8 bits) // of the command whose payload comes; from the clock after it
+    val opcode = out UInt (8 bits) // of the command whose payload comes; from the cycle after it
     val begins = out Bool () // with the byte of a new command's opcode
     val payload = master(Flow(Bits(8 bits)))
     val whole = out Bool () // with the last byte, if the sum is right

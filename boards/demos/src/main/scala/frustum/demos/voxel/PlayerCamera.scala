@@ -14,19 +14,21 @@ case class PlayerSines() extends Bundle {
   def all: Seq[SInt] = Seq(cosYaw, sinYaw, cosPitch, sinPitch) // as CameraProgram.sines has them
 }
 
-/** Makes a camera's directions of the sines of its angles, a step of [[frustum.demos.voxel.CameraProgram]] in some twenty clocks with one multiplier that adds and
-  * shifts. `start` takes nothing: sines must hold until `done`. A host may `load` a camera instead.
+/** Makes a camera's directions of the sines of its angles, a step of [[frustum.demos.voxel.CameraProgram]] in some twenty
+  * cycles with one multiplier that adds and shifts. `start` takes nothing: sines must hold until `done`. A host may
+  * `load` a camera instead.
   */
-case class PlayerCamera(c: VoxelConfig, program: CameraProgram) extends Component {
+case class PlayerCamera(config: VoxelConfig, program: CameraProgram) extends Component {
+  import PlayerCamera._
   val io = new Bundle {
     val start = in Bool ()
     val sines = in(PlayerSines())
-    val eye = in Vec (SInt(c.blockBits + c.eyeBits bits), 3) // in blocks, eyeBits fraction bits
-    val load = slave(Flow(CameraPort(c)))
-    val camera = out(CameraPort(c))
+    val eye = in Vec (SInt(config.blockBits + config.eyeBits bits), 3) // in blocks, eyeBits fraction bits
+    val load = slave(Flow(CameraPort(config)))
+    val camera = out(CameraPort(config))
     val done = out Bool ()
   }
-  val camera = Reg(CameraPort(c))
+  val camera = Reg(CameraPort(config))
   private val vectors = Seq(camera.look, camera.base, camera.right, camera.down)
   io.camera := camera
 
@@ -41,7 +43,7 @@ case class PlayerCamera(c: VoxelConfig, program: CameraProgram) extends Componen
     case _       => S(program.factor(f, _ => 0), FactorBits bits)
   }
 
-  /** Which step is made; the last of the clocks that one takes has `added`. */
+  /** Number of the step that is made; `added` is high in the last of its cycles. */
   val step = Reg(UInt(log2Up(steps.length) bits)) init 0
   val last = step === steps.length - 1
   val added = False
@@ -61,12 +63,13 @@ case class PlayerCamera(c: VoxelConfig, program: CameraProgram) extends Componen
   multiplier.io.b := RegNext(choice(_.factor)(number))
   multiplier.io.start := RegNext(begin) init False
 
-  val moved = RegNext(choice(s => program.shift(s.factor))(n =>
+  // A register behind the shift and one behind the rounding: `RoundingCycles`.
+  val moved = RegNext(choice(s => program.shift(s.factor)) { n =>
     (multiplier.io.product >> n - 1).resize(VoxelCamera.DirectionWidth + 1)
-  ))
+  })
   val product = RegNext((moved + 1) >> 1)
   val from = RegNext(choice(_.start)(_.fold(S(0, VoxelCamera.DirectionWidth bits))(value)))
-  added setWhen Delay(multiplier.io.done, 2, init = False)
+  added setWhen Delay(multiplier.io.done, RoundingCycles, init = False)
 
   val result = from + Mux(choice(_.minus)(Bool(_)), -wide(product), wide(product))
   for (target <- steps.map(_.target).distinct; port = vectors(target.vector).axes(target.axis)) when(
@@ -79,4 +82,8 @@ case class PlayerCamera(c: VoxelConfig, program: CameraProgram) extends Componen
     camera.right.axes(2) := 0
   }
   when(io.load.valid)(camera := io.load.payload)
+}
+
+object PlayerCamera {
+  private val RoundingCycles = 2
 }

@@ -12,11 +12,16 @@ case class VoxelButtons() extends Bundle {
 
 object VoxelButtons {
 
+  /** 1, -1, or 0 where neither or both of two buttons are held. */
+  def both(plus: Bool, minus: Bool): SInt =
+    (plus && !minus).asUInt.resize(2).asSInt - (minus && !plus).asUInt.resize(2).asSInt
+
   /** A stick counts when it is this far from its middle. */
   val Tilt = 48
 
-  /** Of a console's pad: cross and circle up and down, R2 destroys, L2 places, L1 and R1 change the item. The left stick walks, the right
-    * one looks; without sticks the cross of arrows walks and turns, triangle and square look up and down.
+  /** What a console's pad asks for: cross and circle up and down, R2 destroys, L2 places, L1 and R1 change the item.
+    * The left stick walks, the right one looks; without sticks the cross of arrows walks and turns, triangle and square
+    * look up and down.
     */
   def of(pad: PadState): VoxelButtons = {
     val b = VoxelButtons()

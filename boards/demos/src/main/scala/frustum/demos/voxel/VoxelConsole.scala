@@ -11,14 +11,15 @@ import spinal.core._
 import spinal.lib._
 import spinal.lib.com.uart.{UartCtrl, UartCtrlInitConfig, UartParityType, UartStopType}
 
-/** A world of blocks on a monitor, with a console's pad to walk in it. The picture is drawn into one frame buffer while the other is shown;
-  * they are exchanged in the vertical blank alone. Then the player has its turn, is drawn, and the pad is asked again. World and camera
-  * change between pictures alone. A host may send the world, blocks, a place for the player or, instead of the player's view, a camera,
-  * over a serial line. All runs from one clock; the monitor's side is enabled in one of `divider` clocks.
+/** A world of blocks on a monitor, with a console's pad to walk in it. The picture is drawn into one frame buffer while
+  * the other is shown; they are exchanged in the vertical blank alone. Then the player has its turn, is drawn, and the
+  * pad is asked again. World and camera change between pictures alone. A host may send the world, blocks, a place for
+  * the player or, instead of the player's view, a camera, over a serial line. All runs from one clock; the monitor's
+  * side is enabled in one of `divider` cycles.
   */
-case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech) extends Component {
+case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech = Tech.Generic) extends Component {
   import config.{assets, format, mode, rules}
-  private val c = config.voxel
+  private val voxel = config.voxel
   val io = new Bundle {
     val uart = in Bool ()
     val pad = master(ConsolePadPins())
@@ -34,12 +35,12 @@ case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech) extends Componen
     (looks / looks.floor - 1).abs < 0.01,
     s"${config.baud} baud at $clockMHz MHz: $looks clocks from look to look are not near a whole number"
   )
-  val host = VoxelHost(c, rules, silence = (clockMHz * VoxelHostCommand.SilenceMicros).toInt)
+  val host = VoxelHost(voxel, rules, silence = (clockMHz * VoxelHostCommand.SilenceMicros).toInt)
   val pad = ConsolePad((clockMHz * 1e6).toLong)
-  val player = VoxelPlayer(c, rules, assets.table, config.program, config.start)
-  val pipeline = VoxelPipeline(c, assets.table, assets.textures, tech)
-  val editor = WorldEditor(c)
-  val frames = DoubleFrameBuffer(c.pixels, format.bits)
+  val player = VoxelPlayer(voxel, rules, assets.table, config.program, config.start)
+  val pipeline = VoxelPipeline(voxel, assets.table, assets.textures, tech)
+  val editor = WorldEditor(voxel)
+  val frames = DoubleFrameBuffer(voxel.pixels, format.bits)
   val scan = new SlowArea(config.divider) {
     val out = DoubledScanout(mode, format, config.scale, Seq(config.readout.rate, config.readout.item))
   }.out
@@ -77,15 +78,17 @@ case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech) extends Componen
   pipeline.io.highlight := RegNextWhen(!turn.byHost || turn.highlight, pipeline.io.start, False)
 
   uart.io.uart.rxd := io.uart
-  // What passes comes to the host a clock later, and what it does a clock after that, so halting begins two clocks before the
-  // turn. Only an edit that waits makes the host hold a byte for longer, and then it is the first one of a command and changes
-  // nothing.
+  // What passes comes to the host a cycle later, and what it does a cycle after that, so halting begins two cycles
+  // before the turn. Only an edit that waits makes the host hold a byte for longer, and then it is the first one of a
+  // command and changes nothing.
   uart.io.read.queue(
     VoxelConsole.Bytes
   ).haltWhen(turn.playing || turn.waiting || starts || blank).m2sPipe() >> host.io.bytes
   io.refused := host.io.refused
 
-  /** Edits, one at a time: the host's between pictures, the player's in its turn. The memory's second reader is who is at work. */
+  /** Edits, one at a time: the host's between pictures, the player's in its turn. Whichever is at work reads the
+    * memory.
+    */
   val change = new Area {
     val edit = host.io.edit.queue(VoxelConsole.Edits)
     val free = !pipeline.io.busy && !turn.playing && !turn.waiting

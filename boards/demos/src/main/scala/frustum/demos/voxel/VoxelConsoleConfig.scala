@@ -7,7 +7,7 @@ import frustum.contract.voxel.{VoxelAssets, VoxelConfig}
   *
   * @param rules   of the player
   * @param focal   pixels from the eye to the screen
-  * @param divider clocks of a monitor's pixel
+  * @param divider cycles of a monitor's pixel
   * @param baud    of the host's serial line
   */
 final case class VoxelConsoleConfig(
@@ -36,7 +36,7 @@ final case class VoxelConsoleConfig(
 
   val format: ColorFormat = color.format
 
-  /** Of the world and of the two pictures. */
+  /** Memory of the world and of the two pictures. */
   val memoryBits: Int = voxel.size.blocks * voxel.leaps.wordBits + 2 * voxel.pixels * format.bits
   val start: VoxelStart = VoxelStart.middle(voxel.size)
   val program: CameraProgram = CameraProgram(voxel.width, voxel.height, focal)

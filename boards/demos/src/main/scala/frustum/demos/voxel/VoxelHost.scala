@@ -5,26 +5,27 @@ import frustum.voxel.march.CameraPort
 import spinal.core._
 import spinal.lib._
 
-/** Takes a host's commands, see [[frustum.contract.voxel.VoxelHostCommand]], and gives edits, cameras and places for the player. A command with a wrong
-  * checksum, an unknown opcode, one cut short, an edit outside the world, an id that is none, an eye or a place out of range change nothing and are
-  * counted. Bytes wait while an edit does; cameras and places come a clock after their last byte.
+/** Takes a host's commands, see [[frustum.contract.voxel.VoxelHostCommand]], and gives edits, cameras and places for the player.
+  * A command with a wrong checksum, an unknown opcode, one cut short, an edit outside the world, an id that is none, an
+  * eye or a place out of range change nothing and are counted. Bytes wait while an edit does; cameras and places come a
+  * cycle after their last byte.
   *
-  * @param silence clocks after which the next byte begins a command
+  * @param silence cycles after which the next byte begins a command
   */
-case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Component {
+case class VoxelHost(config: VoxelConfig, rules: VoxelRules, silence: Int) extends Component {
   import VoxelHostCommand._
   val io = new Bundle {
     val bytes = slave(Stream(Bits(8 bits)))
-    val edit = master(Stream(HostEdit(c)))
-    val camera = master(Flow(CameraPort(c)))
+    val edit = master(Stream(HostEdit(config)))
+    val camera = master(Flow(CameraPort(config)))
     val highlight = out Bool () // with the camera
-    val pose = master(Flow(VoxelPose(c)))
+    val pose = master(Flow(VoxelPose(config)))
     val refused = out UInt (8 bits) // stays at its end
   }
   val framing = HostFraming(bytesOf, silence)
   val opcode = framing.io.opcode
   val payload = Reg(Bits(8 * MostBytes bits))
-  val edit = Reg(HostEdit(c))
+  val edit = Reg(HostEdit(config))
   val editValid = RegInit(False) clearWhen io.edit.ready
   io.edit.valid := editValid
   io.edit.payload := edit
@@ -40,7 +41,7 @@ case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Co
   private val fields =
     camera.eye.toSeq ++ Seq(camera.look, camera.base, camera.right, camera.down).flatMap(_.axes)
   for ((field, n) <- fields.zipWithIndex) field := number(n, 15).resized
-  val cameraAllowed = RegNext((0 to 2).map(n => VoxelHost.eyeFits(c, number(n, 15))).reduce(_ && _))
+  val cameraAllowed = RegNext((0 to 2).map(n => VoxelHost.eyeFits(config, number(n, 15))).reduce(_ && _))
   val cameraDone = False
   io.camera.valid := RegNext(cameraDone) init False // the payload stays until the second byte that comes
   io.highlight := opcode === Highlight
@@ -57,7 +58,8 @@ case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Co
 
   val (address, content) = (number(0, 2).asUInt, number(1, 2).asUInt)
   val editAllowed = RegNext(
-    address < c.size.blocks && Mux(opcode === Block, content <= rules.items, (content >> c.leaps.wordBits) === 0)
+    address < config.size.blocks &&
+      Mux(opcode === Block, content <= rules.items, (content >> config.leaps.wordBits) === 0)
   )
 
   when(framing.io.whole) {
@@ -80,6 +82,6 @@ case class VoxelHost(c: VoxelConfig, rules: VoxelRules, silence: Int) extends Co
 object VoxelHost {
 
   /** Whether a component of an eye, as a host sends it, is not cut by the width of an eye. */
-  def eyeFits(c: VoxelConfig, number: SInt): Bool =
-    number === number.resize(c.blockBits + c.eyeBits).resize(number.getWidth)
+  def eyeFits(config: VoxelConfig, number: SInt): Bool =
+    number === number.resize(config.blockBits + config.eyeBits).resize(number.getWidth)
 }

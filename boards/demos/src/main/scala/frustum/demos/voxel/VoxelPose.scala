@@ -4,14 +4,14 @@ import frustum.contract.voxel.VoxelConfig
 import spinal.core._
 
 /** Where a player stands and looks: middle of the soles in 1/256 block, angles in 1/1024 turn. */
-case class VoxelPose(c: VoxelConfig) extends Bundle {
-  val feet = Vec(SInt(VoxelPose.width(c) bits), 3)
+case class VoxelPose(config: VoxelConfig) extends Bundle {
+  val feet = Vec(SInt(VoxelPose.width(config) bits), 3)
   val yaw = UInt(VoxelRules.AngleBits bits)
   val pitch = SInt(VoxelRules.AngleBits bits)
 }
 
 object VoxelPose {
 
-  /** Of a coordinate. */
-  def width(c: VoxelConfig): Int = c.blockBits + 8
+  /** Bits of a coordinate. */
+  def width(config: VoxelConfig): Int = config.blockBits + 8
 }

@@ -8,7 +8,7 @@ final case class VoxelStart(feet: IntVector, yaw: Int)
 
 object VoxelStart {
 
-  /** With the eye in the middle of the world, looking along +x. */
+  /** The eye is in the middle of the world and looks along +x. */
   def middle(size: WorldSize): VoxelStart =
     VoxelStart(IntVector(size.x << 7, size.y << 7, ((size.z << 7) - VoxelRules.EyeHeight).max(0)), 0)
 }

@@ -17,7 +17,7 @@ final case class VoxelCamera(
     down: IntVector
 ) {
 
-  /** As a host sends them. */
+  /** All numbers, in a host's order. */
   def numbers: Seq[Int] = Seq(eye, look, base, right, down).flatMap(_.axes)
 
   def direction(i: Int, j: Int): Seq[Int] =
@@ -30,10 +30,10 @@ final case class VoxelCamera(
 object VoxelCamera {
   val DirectionBits = 22
 
-  /** With the sign. */
+  /** Bits of a component, its sign among them. */
   val DirectionWidth = DirectionBits + 2
 
-  /** From the middle of the world along +x, `focal` pixels from the screen. */
+  /** A camera in the middle of the world that looks along +x, `focal` pixels from the screen. */
   def level(c: VoxelConfig, focal: Int): VoxelCamera = {
     val least = (c.width max c.height) / 4 + 1
     require(

@@ -31,7 +31,7 @@ final case class VoxelConfig(
     s"view distance $distance is not in 1..${VoxelConfig.MostDistance}"
   )
 
-  /** Of a position along a ray's slower axes. */
+  /** Fraction bits of a position along a ray's slower axes. */
   val fractionBits: Int = slopeBits + eyeBits
 
   /** Signed whole blocks: the world, [[VoxelConfig.Around]] blocks on either side of it, and a leap. */
@@ -53,9 +53,16 @@ final case class VoxelConfig(
   val fogSquared: Int = square(12 * distance)
   val fogStep: Int = (256 << 16) / (farSquared - fogSquared)
   private def square(n: Int) = n * n
+
+  /** Red, green and blue of the sky. */
+  val skyChannels: Seq[Int] = VoxelConfig.channels(sky)
 }
 
 object VoxelConfig {
+
+  /** Red, green and blue of 0xRRGGBB. */
+  def channels(rgb: Int): Seq[Int] = Seq(16, 8, 0).map(rgb >> _ & 255)
+
   val MostDistance = 60
 
   /** Blocks within which a face can be pointed at. */

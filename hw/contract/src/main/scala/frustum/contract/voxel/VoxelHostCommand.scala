@@ -18,7 +18,7 @@ object VoxelHostCommand {
   val Camera: Int = 'C'
   val CameraBytes: Int = 45
 
-  /** As a camera, and the face in the picture's middle is highlighted. */
+  /** A camera, with which the face in the picture's middle is highlighted. */
   val Highlight: Int = 'H'
 
   /** Puts the player somewhere, whose view is shown from then on: feet, yaw, pitch, see [[VoxelRules]]. */
@@ -27,7 +27,7 @@ object VoxelHostCommand {
   val BlockBytes: Int = 6
   val PlayerBytes: Int = 15
 
-  /** Of the payload of each command. */
+  /** Bytes of each command's payload. */
   val bytesOf: Map[Int, Int] = Map(
     Write -> WriteBytes,
     Block -> BlockBytes,

@@ -77,7 +77,7 @@ final class Marcher(c: VoxelConfig, table: BlockTable, words: Array[Int]) {
   }
 
   private def address(block: Array[Int], mirrored: Seq[Boolean]): Int = {
-    def k(axis: Int) = if (mirrored(axis)) whole(axis) - 1 - block(axis) else block(axis)
+    def k(axis: Int) = RayAxes.block(c, mirrored, block(axis), axis)
     c.size.address(k(0), k(1), k(2))
   }
 }

@@ -24,7 +24,7 @@ final case class RayStart(
     crossed: Seq[Boolean],
     slabs: Int
 ) {
-  def others: Seq[Int] = Seq((fast + 1) % 3, (fast + 2) % 3)
+  def others: Seq[Int] = RayAxes.others(fast)
   def octant: Int = mirrored.zipWithIndex.map { case (m, k) => if (m) 1 << k else 0 }.sum
 
   /** Whether the position along the i-th of the other axes is one unit low. */

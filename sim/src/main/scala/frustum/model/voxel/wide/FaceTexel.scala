@@ -1,7 +1,7 @@
 package frustum.model.voxel.wide
 
 import frustum.contract.voxel.VoxelConfig
-import frustum.model.voxel.march.FaceHit
+import frustum.model.voxel.march.{FaceHit, RayAxes}
 
 /** Where on its face a ray meets a block.
   *
@@ -47,8 +47,7 @@ object FaceTexel {
     val face = 2 * axis + (if (mirrored(axis)) 1 else 0)
     val (u, v) = uv(face, (0 to 2).map(k => if (mirrored(k)) 15 - t(k) else t(k)))
     val away = (0 to 2).map { k =>
-      val from = if (mirrored(k)) (c.size.axes(k) << c.eyeBits) - eye(k) else eye(k)
-      16 * hit.block(k) + t(k) - (from >> c.eyeBits - 4)
+      16 * hit.block(k) + t(k) - (RayAxes.mirroredEye(c, mirrored, eye, k) >> c.eyeBits - 4)
     }
     FaceTexel(face, u, v, away)
   }

@@ -1,6 +1,6 @@
 package frustum.model.voxel.wide
 
-import frustum.contract.voxel.VoxelConfig
+import frustum.contract.voxel.{FaceLight, VoxelConfig}
 
 /** Colours of faces, and layers gathered front to back.
   *
@@ -27,14 +27,12 @@ final case class LayerComposite(light: Seq[Int], clear: Int) {
 object LayerComposite {
   val Empty = LayerComposite(Seq(0, 0, 0), 255)
 
-  def channels(rgb: Int): Seq[Int] = Seq(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255)
-
   /** A texel's colour in the light of its face, perhaps pointed at, in the fog of its distance. */
   def face(texel: Int, face: Int, farSquared: Int, pointedAt: Boolean, c: VoxelConfig): Seq[Int] = {
     val fog = if (c.fog) ((farSquared - c.fogSquared).max(0).toLong * c.fogStep >> 16).toInt else 0
-    Seq(12, 8, 4).zip(channels(c.sky)).map { case (at, sky) =>
-      val lit = (texel >> at & 15) * 17 * VoxelConfig.Light(face) >> 8
-      val shown = if (pointedAt) (lit * 120 * 257 >> 16) + 125 else lit
+    Seq(12, 8, 4).zip(c.skyChannels).map { case (at, sky) =>
+      val lit = FaceLight.lit(texel >> at & 15, VoxelConfig.Light(face))
+      val shown = if (pointedAt) FaceLight.highlighted(lit) else lit
       shown + ((sky - shown) * fog >> 8)
     }
   }

@@ -2,7 +2,7 @@ package frustum.model.voxel.wide
 
 import frustum.contract.arithmetic.ReciprocalTable
 import frustum.contract.voxel.{VoxelCamera, VoxelConfig}
-import frustum.model.voxel.march.RayStart
+import frustum.model.voxel.march.{RayAxes, RayStart}
 
 object VoxelRaySetup {
   private val Bits = VoxelCamera.DirectionBits
@@ -24,9 +24,9 @@ object VoxelRaySetup {
       s"direction $direction is out of range"
     )
     val fast = magnitude.indexOf(magnitude.max)
-    val others = Seq((fast + 1) % 3, (fast + 2) % 3)
+    val others = RayAxes.others(fast)
     val slopes = others.map(k => slope(magnitude(k), magnitude(fast), c))
-    val p = (0 to 2).map(k => if (mirrored(k)) (c.size.axes(k) << c.eyeBits) - eye(k) else eye(k))
+    val p = (0 to 2).map(RayAxes.mirroredEye(c, mirrored, eye, _))
     val behind = p(fast) & (1 << c.eyeBits) - 1
     val at = others.zip(slopes).map { case (k, s) =>
       (p(k).toLong << c.slopeBits) - s.toLong * behind - (if (k > fast && s != 0) 1 else 0)
