@@ -1,16 +1,8 @@
 package frustum.files
 
 import frustum.contract.InputError
+import frustum.driver.scene.Notice
 import scala.collection.mutable
-
-/** What was skipped, replaced or not drawn, so that the rest could be used.
-  *
-  * @param what  is the case, with the place of the first of its kind, what was done about it and the remedy
-  * @param count how often it was met
-  */
-final case class Notice(what: String, count: Long) {
-  override def toString: String = s"notice: $what ($count)"
-}
 
 /** Collects and counts notices: an entry for each kind, in the order of the first of each. */
 final class Notices {

@@ -3,7 +3,7 @@ package frustum.command.render
 import frustum.contract.raster.RasterConfig
 import frustum.driver.raster.PreparedFrame
 import frustum.engine.raster.RenderedFrame
-import frustum.files.Notice
+import frustum.driver.scene.Notice
 import frustum.judge.{EndToEndVerdict, Flip, FrameVerdict, ModelVerdict, Psnr}
 import java.nio.file.Path
 

@@ -5,7 +5,8 @@ import frustum.contract.raster.{RasterConfig, Wrap}
 import frustum.driver.raster.{DrawOptions, Driver, EmptyView, PreparedFrame}
 import frustum.driver.scene.{Camera, Scene}
 import frustum.engine.raster.{EngineEntry, EngineOptions, Engines}
-import frustum.files.{Notice, Notices}
+import frustum.driver.scene.Notice
+import frustum.files.Notices
 import frustum.judge.{FrameJudge, FrameVerdict}
 
 /** A scene on its way through driver, engine and judges.

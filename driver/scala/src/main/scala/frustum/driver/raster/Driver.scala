@@ -69,7 +69,7 @@ object Driver {
   def commands(upload: TextureUpload): Seq[Seq[Int]] = CommandEncoder.upload(upload)
 
   /** The model's turn in the world. */
-  private[host] def turnOf(scene: Scene, options: DrawOptions): Matrix4d = {
+  private[raster] def turnOf(scene: Scene, options: DrawOptions): Matrix4d = {
     val centre = scene.boundingSphere._1
     new Matrix4d()
       .translate(centre)

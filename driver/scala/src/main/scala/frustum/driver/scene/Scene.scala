@@ -1,6 +1,5 @@
 package frustum.driver.scene
 
-import frustum.files.Notice
 import org.joml.Vector3d
 import java.nio.file.Path
 
