@@ -50,10 +50,20 @@ lazy val boards = (project in file("boards"))
   .settings(spinal, internal)
   .settings(name := "frustum-boards", libraryDependencies += ujson)
 
+/** Every test but those that simulate, prove or synthesise: `./sbt quick`. A test that simulates without its mark fails. */
+lazy val Quick = config("quick") extend Test
+val marked = Seq("Simulated", "Formal", "Synthesised").flatMap(mark => Seq("-l", s"frustum.harness.$mark"))
+val quickSettings = inConfig(Quick)(Defaults.testTasks) ++ Seq(
+  Quick / testOptions += Tests.Argument(marked: _*),
+  Quick / forkOptions ~= (options => options.withEnvVars(options.envVars + ("FRUSTUM_SIMULATOR" -> "off")))
+)
+addCommandAlias("quick", "sim/Quick/test")
+
 lazy val sim = (project in file("sim"))
   .enablePlugins(BuildInfoPlugin)
+  .configs(Quick)
   .dependsOn(boards, driver)
-  .settings(spinal, internal)
+  .settings(spinal, internal, quickSettings)
   .settings(
     name := "frustum-sim",
     buildInfoKeys := Seq[BuildInfoKey](version),
@@ -70,8 +80,12 @@ lazy val sim = (project in file("sim"))
     Compile / run / baseDirectory := (ThisBuild / baseDirectory).value,
     Test / baseDirectory := (ThisBuild / baseDirectory).value,
     Test / javaOptions ++= Seq("-Xmx4g"),
+    // With the time of each test, and with all that failed once more at the end, as two suites print in turns.
+    Test / testOptions += Tests.Argument("-oDI"),
     run / javaOptions ++= Seq("-Xmx4g"),
-    Test / parallelExecution := false
+    // Two suites at a time: one's model is compiled while the other's is simulated.
+    Test / testForkedParallel := true,
+    Test / javaOptions += "-XX:ActiveProcessorCount=2"
   )
 
 lazy val frustum = (project in file(".")).aggregate(contract, hw, driver, demos, boards, sim).settings(internal)

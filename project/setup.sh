@@ -58,6 +58,26 @@ simulator() {
   need verilator verilator make make g++ g++
   # Waveforms in FST are compressed.
   want '[ -e /usr/include/zlib.h ]' zlib1g-dev
+  # Half of compiling a model is Verilator's own sources again.
+  want 'command -v ccache >/dev/null' ccache
+}
+
+# model_settings: the environment in which simulations are compiled.
+model_settings() {
+  # Verilator's makefiles compile for size, 20 % slower, unless they are told otherwise.
+  export MAKEFLAGS="${MAKEFLAGS:+$MAKEFLAGS }OPT_FAST=-O2"
+  export SPINAL_MAKE_CMD="${SPINAL_MAKE_CMD:-project/make-model}"
+  if command -v ccache >/dev/null; then
+    export OBJCACHE="${OBJCACHE-ccache}"
+    # ccache does not compare headers as new as a model's, nor precompiled ones (newer Verilators'), unless told.
+    export CCACHE_SLOPPINESS="${CCACHE_SLOPPINESS-include_file_mtime,include_file_ctime,pch_defines,time_macros}"
+  fi
+}
+
+# test_parts: without them the tests that compare with Mesa and those that open a window are cancelled.
+test_parts() {
+  want 'ldconfig -p | grep -q libOSMesa' libosmesa6-dev
+  want 'command -v Xvfb >/dev/null' xvfb
 }
 
 # python_venv: for the tools that come from PyPI.
@@ -89,12 +109,12 @@ prepare() {
     " demo "* | " render "* | " bench "* | " pong "* | " voxel "*) simulator ;;
     " play "*)
       simulator
-      want '[ -z "${DISPLAY-}" ] || ls "$(dirname "$(readlink -f "$(command -v java)")")"/../lib/libawt_xawt.so >/dev/null 2>&1' openjdk-17-jre
+      want '[ -z "${DISPLAY-}" ] || ls "$(dirname "$(readlink -f "$(command -v java)")")"/../lib/libawt_xawt.so >/dev/null 2>&1' default-jre
       ;;
+    " quick ") test_parts ;;
     *test* | *Test*)
       simulator
-      want 'ldconfig -p | grep -q libOSMesa' libosmesa6-dev
-      want 'command -v Xvfb >/dev/null' xvfb
+      test_parts
       # Proofs: the solver; SymbiYosys comes with Yosys from PyPI, which needs venv.
       want 'command -v z3 >/dev/null' z3
       want "python3 -c 'import ensurepip, venv' 2>/dev/null" python3 python3-venv
@@ -103,7 +123,7 @@ prepare() {
 }
 
 prepare_all() {
-  need java openjdk-17-jdk-headless
+  need java default-jdk-headless # 17 in Debian 12, 21 in Debian 13
   local line
   for line in "$@"; do prepare "$line"; done
 }

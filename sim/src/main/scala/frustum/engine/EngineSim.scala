@@ -13,15 +13,16 @@ import scala.util.Using
   * `simWorkspace`, only once as long as the hardware stays as it is).
   */
 object EngineSim {
-  private val compiled = mutable.Map.empty[(String, Option[String]), SimCompiled[_]]
+  private final class Once(make: => SimCompiled[_]) { lazy val sim: SimCompiled[_] = make }
+
+  private val compiled = mutable.Map.empty[(String, Option[String]), Once]
 
   /** Units of simulation time in a clock. */
   val Period = 10L
 
   def spinalConfig: SpinalConfig = SpinalConfig(
     defaultConfigForClockDomains = ClockDomainConfig(resetKind = SYNC),
-    defaultClockDomainFrequency = FixedFrequency(36 MHz),
-    headerWithRepoHash = false // or every commit would have everything compiled anew
+    defaultClockDomainFrequency = FixedFrequency(36 MHz)
   )
 
   /** Everything of a configuration, for names of simulations. */
@@ -35,20 +36,21 @@ object EngineSim {
   /** @param name must tell everything that the design depends on
     * @param wave file that is to take a waveform: VCD where its name ends so, else FST
     */
-  def compile[C <: Component](name: String, wave: Option[Path] = None)(design: => C): SimCompiled[C] = synchronized {
+  def compile[C <: Component](name: String, wave: Option[Path] = None)(design: => C): SimCompiled[C] = {
     val kind = wave.map(file => if (file.toString.endsWith(".vcd")) "vcd" else "fst")
-    compiled.getOrElseUpdate(
-      (name, kind), {
-        println(s"$name: compiling the simulation; this takes a minute or two the first time")
-        val settings = SimConfig.withConfig(spinalConfig).allOptimisation.workspaceName(name + kind.fold("")("_" + _))
-        val waved = kind match {
-          case Some("vcd") => settings.withVcdWave
-          case Some(_)     => settings.withFstWave
-          case None        => settings
-        }
-        waved.compile(design)
+    def make(): SimCompiled[C] = {
+      println(s"$name: compiling the simulation; this takes a minute or two the first time")
+      val settings = VerilatorSettings(spinalConfig).workspaceName(name + kind.fold("")("_" + _))
+      val waved = kind match {
+        case Some("vcd") => settings.withVcdWave
+        case Some(_)     => settings.withFstWave
+        case None        => settings
       }
-    ).asInstanceOf[SimCompiled[C]]
+      waved.compile(design)
+    }
+    // Whoever wants the same simulation waits for it; others are compiled meanwhile.
+    val once = synchronized(compiled.getOrElseUpdate((name, kind), new Once(make())))
+    once.sim.asInstanceOf[SimCompiled[C]]
   }
 
   /** Lets so many clocks of a domain pass, all that the simulation does beside them included. */

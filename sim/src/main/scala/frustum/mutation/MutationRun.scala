@@ -1,7 +1,7 @@
 package frustum.mutation
 
 import frustum.boards.flow.Tool
-import frustum.engine.EngineSim
+import frustum.engine.{EngineSim, VerilatorSettings}
 import java.nio.file.{Files, Path}
 import spinal.core.sim._
 
@@ -31,7 +31,7 @@ final class MutationRun(yosys: Tool, folder: Path, say: String => Unit) {
     val (ports, mutants) = mutations.make(plan.name, count, seed)(plan.unit())
     say(s"${plan.name}: ${mutants.length} mutants, ${plan.steps.length} steps")
     val file = folder.resolve(s"${plan.name}.mutants.v").toAbsolutePath.toString
-    val sim = SimConfig.withConfig(EngineSim.spinalConfig).allOptimisation.workspacePath(folder.toString)
+    val sim = VerilatorSettings(EngineSim.spinalConfig).workspacePath(folder.toString)
       .workspaceName(s"${plan.name}-sim").compile(new MutationBench(plan, ports, file))
     var kills = Seq.empty[Mutant]
     sim.doSim("mutants", seed.toInt) { dut =>

@@ -72,7 +72,7 @@ final class LiveScreen private (name: String, width: Int, height: Int, scale: In
 
 object LiveScreen {
   private val Remedy =
-    "set DISPLAY to a graphical screen and use a JDK with its window system (openjdk-17-jre)"
+    "set DISPLAY to a graphical screen and use a JDK with its window system (default-jre)"
 
   /** An error in one line where there is no display: to be called before long work. */
   def require(): Unit =

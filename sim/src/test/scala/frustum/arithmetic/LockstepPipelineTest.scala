@@ -1,6 +1,6 @@
 package frustum.arithmetic
 
-import frustum.harness.{Equality, FrustumSim}
+import frustum.harness.{Equality, FrustumSim, Simulated}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core._
 import spinal.core.sim._
@@ -42,7 +42,7 @@ class LockstepPair extends Component {
   io.busy := long.io.busy || short.io.busy
 }
 
-class LockstepPipelineTest extends AnyFunSuite {
+class LockstepPipelineTest extends AnyFunSuite with Simulated {
   private def once(n: Int) = n + n * n & 0xffff
 
   test("memories stay in step with their pipelines") {

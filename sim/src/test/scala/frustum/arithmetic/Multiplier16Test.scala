@@ -1,7 +1,7 @@
 package frustum.arithmetic
 
 import frustum.device.Tech
-import frustum.harness.{Equality, FrustumSim}
+import frustum.harness.{Equality, FrustumSim, Simulated}
 import frustum.model
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core._
@@ -27,8 +27,24 @@ class MultiplierStream(signedA: Boolean, signedB: Boolean) extends Component {
   io.down.payload := multiplier.io.product
 }
 
-class Multiplier16Test extends AnyFunSuite {
-  for (signedA <- Seq(false, true); signedB <- Seq(false, true))
+/** All four kinds in one model. */
+class MultiplierStreams(kinds: Seq[(Boolean, Boolean)]) extends Component {
+  val io = new Bundle {
+    val up = Vec(kinds.map(_ => slave(Stream(Bits(32 bits)))))
+    val down = Vec(kinds.map(_ => master(Stream(Bits(32 bits)))))
+  }
+  for (((signedA, signedB), i) <- kinds.zipWithIndex) {
+    val unit = new MultiplierStream(signedA, signedB)
+    unit.io.up << io.up(i)
+    io.down(i) << unit.io.down
+  }
+}
+
+class Multiplier16Test extends AnyFunSuite with Simulated {
+  private val kinds = for (signedA <- Seq(false, true); signedB <- Seq(false, true)) yield (signedA, signedB)
+  private lazy val compiled = FrustumSim.compile("Multiplier16")(new MultiplierStreams(kinds))
+
+  for (((signedA, signedB), i) <- kinds.zipWithIndex)
     test(
       s"product of ${if (signedA) "signed" else "unsigned"} and ${if (signedB) "signed" else "unsigned"}"
     ) {
@@ -37,11 +53,9 @@ class Multiplier16Test extends AnyFunSuite {
       val pairs =
         (for (a <- corners; b <- corners)
           yield (a, b)) ++ Seq.fill(1000)((random.nextInt(65536), random.nextInt(65536)))
-      Equality(
-        FrustumSim.compile(s"Multiplier16_${signedA}_$signedB")(new MultiplierStream(signedA, signedB))
-      )(
-        _.io.up,
-        _.io.down
+      Equality(compiled)(
+        _.io.up(i),
+        _.io.down(i)
       )(
         (a: Bits, v: (Int, Int)) => { import spinal.core.sim._; a #= (v._1.toLong << 16) | v._2 },
         (b: Bits) => { import spinal.core.sim._; b.toLong.toInt }

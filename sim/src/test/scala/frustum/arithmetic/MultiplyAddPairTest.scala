@@ -1,13 +1,13 @@
 package frustum.arithmetic
 
 import frustum.device.Tech
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 
 import scala.util.Random
 
-class MultiplyAddPairTest extends AnyFunSuite {
+class MultiplyAddPairTest extends AnyFunSuite with Simulated {
   private val seed = 11
 
   test("each half is its addend and product, one clock later") {

@@ -1,7 +1,7 @@
 package frustum.boards
 
 import frustum.boards.arty.ArtyDomain
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core._
 import spinal.core.sim._
@@ -20,7 +20,7 @@ private case class ClockCount() extends Component {
   }
 }
 
-class ArtyDomainTest extends AnyFunSuite {
+class ArtyDomainTest extends AnyFunSuite with Simulated {
   private lazy val compiled = FrustumSim.compile("ArtyDomain")(ClockCount())
 
   private def clock(dut: ClockCount, n: Int): Unit = for (_ <- 0 until n) {

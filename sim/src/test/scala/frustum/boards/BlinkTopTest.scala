@@ -1,13 +1,16 @@
 package frustum.boards
 
 import frustum.device.Tech
+import frustum.engine.VerilatorSettings
+import frustum.harness.Simulated
 import org.scalatest.funsuite.AnyFunSuite
+import spinal.core.SpinalConfig
 import spinal.core.sim._
 
 /** A top's clock and reset at its pins, the PLL replaced by its simulation body. */
-class BlinkTopTest extends AnyFunSuite {
+class BlinkTopTest extends AnyFunSuite with Simulated {
   test("the reset pin holds the core, and lets it go in step with the clock") {
-    SimConfig.allOptimisation
+    VerilatorSettings(SpinalConfig().includeSimulation)
       .compile {
         val top = BlinkTop(36, Tech.Generic)
         top.core.counter.value.simPublic()

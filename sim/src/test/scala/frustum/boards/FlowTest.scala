@@ -1,6 +1,7 @@
 package frustum.boards
 
 import frustum.boards.flow.{Ice40Flow, Ice40Tools, Nextpnr, Tool}
+import frustum.harness.Synthesised
 import java.nio.file.{Files, Path, Paths}
 import org.scalatest.funsuite.AnyFunSuite
 
@@ -24,7 +25,7 @@ class FlowTest extends AnyFunSuite {
     file.toString
   }
 
-  test("a small design becomes a bitstream with its figures") {
+  test("a small design becomes a bitstream with its figures", Synthesised) {
     val tools = native
     val directory = scratch()
     val top = BlinkTop.table(36, pins(directory))
@@ -37,7 +38,7 @@ class FlowTest extends AnyFunSuite {
     assert(json("clockMHz")("min").num >= 36)
   }
 
-  test("a target out of reach is reported, not hidden") {
+  test("a target out of reach is reported, not hidden", Synthesised) {
     val tools = native
     val directory = scratch()
     val top = BlinkTop.table(180, pins(directory))

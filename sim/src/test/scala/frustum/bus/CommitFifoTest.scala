@@ -1,13 +1,13 @@
 package frustum.bus
 
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import frustum.model
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 
 import scala.util.Random
 
-class CommitFifoTest extends AnyFunSuite {
+class CommitFifoTest extends AnyFunSuite with Simulated {
   private val seed = 13
 
   /** What the writer does in a clock and how often, and how often the reader takes. */

@@ -2,7 +2,7 @@ package frustum.bus
 
 import frustum.contract.raster.{Command, RasterConfig, StoreLayout}
 import frustum.device.Tech
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import frustum.model.raster.link.LinkModel
 import frustum.peripheral.SpiHost
 import frustum.raster.link.{CommandLink, Framer, LinkChecks, LinkSink, LinkStatus, LinkTraffic}
@@ -39,7 +39,7 @@ case class SpiLinkTop(config: RasterConfig) extends Component {
   io.cts := link.io.status.cts
 }
 
-class SpiSlaveTest extends AnyFunSuite {
+class SpiSlaveTest extends AnyFunSuite with Simulated {
   private val config = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
   private lazy val compiled = FrustumSim.compile("SpiLinkTop")(SpiLinkTop(config))
 

@@ -1,11 +1,11 @@
 package frustum.charts
 
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random
 import spinal.core.sim._
 
-class LongDivisionTest extends AnyFunSuite {
+class LongDivisionTest extends AnyFunSuite with Simulated {
   private val fraction = 12
 
   test("the charted divider divides: hardware equals whole-number division, a pair a clock") {

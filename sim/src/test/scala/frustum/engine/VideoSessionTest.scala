@@ -1,7 +1,7 @@
 package frustum.engine
 
 import frustum.contract.video.VideoMode
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import frustum.peripheral.SimVideoMonitor
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core._
@@ -31,7 +31,7 @@ case class BeamPattern(mode: VideoMode) extends Component {
   monitor.io.pins.color := Mux(active, (h - left + f + 1).asBits, B(0))
 }
 
-class VideoSessionTest extends AnyFunSuite {
+class VideoSessionTest extends AnyFunSuite with Simulated {
   private val mode = VideoMode("small", 1, 64, 32, 2, 3, 4, 1, 2, 3, hPositive = true, vPositive = false)
   private lazy val compiled = FrustumSim.compile("VideoSession")(BeamPattern(mode))
 

@@ -5,6 +5,7 @@ import frustum.contract.InputError
 import frustum.contract.raster.{Combine, PlaneFormats, RasterConfig, Wrap}
 import frustum.driver.raster.DrawOptions
 import frustum.driver.scene.{Material, Scene, TextureImage}
+import frustum.harness.Simulated
 import frustum.reference.raster.Mesa
 import frustum.scene.Scenes
 import java.nio.file.{Files, Path}
@@ -148,7 +149,7 @@ class FitTest extends AnyFunSuite {
 
   private def volume(text: String): Path = Files.writeString(Files.createTempFile("volume", ".json"), text)
 
-  test("the command: report, data, picture, page; a volume of the user's") {
+  test("the command: report, data, picture, page; a volume of the user's", Simulated) {
     val out = Files.createTempDirectory("fit").resolve("cube.json")
     val run = CommandRunner.run(
       "fit",

@@ -1,5 +1,6 @@
 package frustum.harness
 
+import frustum.engine.VerilatorSettings
 import spinal.core._
 import spinal.core.sim._
 
@@ -10,7 +11,7 @@ object FrustumSim {
     defaultClockDomainFrequency = FixedFrequency(48 MHz)
   )
 
-  def config: SpinalSimConfig = SimConfig.withConfig(spinalConfig).allOptimisation
+  def config: SpinalSimConfig = VerilatorSettings(spinalConfig)
 
   /** Compiles a unit under test once; `name` keeps the workspaces of differently configured instances apart.
     */

@@ -2,6 +2,7 @@ package frustum.mutation
 
 import frustum.boards.flow.{Ice40Tools, MissingTool, Tool}
 import frustum.command.CommandRunner
+import frustum.harness.{Simulated, Synthesised}
 import java.nio.file.Paths
 import org.scalatest.funsuite.AnyFunSuite
 
@@ -13,13 +14,17 @@ class MutationTest extends AnyFunSuite {
 
   private val folder = Paths.get("simWorkspace", "mutation")
 
-  test("depth test: 40 mutants, of which nearly all are found; what is left is compared with the unit") {
+  test(
+    "depth test: 40 mutants, of which nearly all are found; what is left is compared with the unit",
+    Simulated,
+    Synthesised
+  ) {
     val r = new MutationRun(yosys, folder, info(_))(DepthStagePlan(1), 40, seed = 2)
     assert(r.count > 30 && r.killed.length >= 0.75 * r.count, r)
     assert(r.killPercent >= 90, r)
   }
 
-  test("a mutant that makes no difference is shown to make none, one that does is not") {
+  test("a mutant that makes no difference is shown to make none, one that does is not", Synthesised) {
     val mutations = new Mutations(yosys, folder)
     val (ports, mutants) = mutations.make("EdgeWalker", 4, seed = 1)(EdgeWalkerPlan(1).unit())
     assert(ports.exists(p => p.name == "io_up_valid" && !p.isInput && p.width == 1))

@@ -3,7 +3,7 @@ package frustum.peripheral
 import frustum.bus.SpiSlave
 import frustum.contract.raster.{RasterConfig, StoreLayout}
 import frustum.device.Tech
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import frustum.model.raster.link.LinkModel
 import frustum.raster.link.{CommandLink, LinkChecks, LinkSink, LinkStatus, LinkTraffic}
 import frustum.raster.store.{FrameJob, Store, StoreBus}
@@ -44,7 +44,7 @@ case class SimSpiHostTop(config: RasterConfig, halfPeriod: Int) extends Componen
   io.status := link.io.status
 }
 
-class SimSpiHostTest extends AnyFunSuite {
+class SimSpiHostTest extends AnyFunSuite with Simulated {
   private val config = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
 
   for (half <- Seq(1, 3)) test(s"what it sends arrives, half period $half clocks") {

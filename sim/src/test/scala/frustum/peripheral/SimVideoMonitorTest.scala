@@ -1,14 +1,14 @@
 package frustum.peripheral
 
 import frustum.contract.video.VideoMode
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 
 import scala.util.Random
 
 /** A signal whose every clock is known, with and without faults. */
-class SimVideoMonitorTest extends AnyFunSuite {
+class SimVideoMonitorTest extends AnyFunSuite with Simulated {
   private val mode = VideoMode("small", 1, 16, 8, 2, 3, 4, 1, 2, 3, hPositive = false, vPositive = true)
   import mode.{hTotal, vTotal}
   private val left = mode.hSync + mode.hBack

@@ -16,6 +16,7 @@ import frustum.driver.raster.{DrawOptions, Driver}
 import frustum.driver.scene.{Camera, Material, Scene}
 import frustum.engine.raster.{EngineOptions, Engines, PipelineEngine}
 import frustum.fit.FitFeatures
+import frustum.harness.Simulated
 import frustum.raster.texture.LateDivide
 import frustum.scene.Scenes
 import org.joml.Vector3d
@@ -59,7 +60,7 @@ class FittedPipelineTest extends AnyFunSuite {
       ("teapot", true, PlaneFormats(depth = 11, color = 4), "zrgb"),
       ("corridor", true, PlaneFormats(coordinate = 5, depth = 4, color = 2), "stqzrgba")
     )
-  } test(s"$name${if (depthTest) "" else " without depth test"}, $formats: hardware equals model") {
+  } test(s"$name${if (depthTest) "" else " without depth test"}, $formats: hardware equals model", Simulated) {
     val scene = Scenes.byName(name)
     val config = small.copy(fixed = fixedFor(scene, depthTest), formats = formats)
     assert(config.fixed.planes.map("stqzrgba".charAt(_)).mkString == planes)
@@ -77,7 +78,7 @@ class FittedPipelineTest extends AnyFunSuite {
       "floor" -> PlaneFormats()
     )
   )
-    test(s"all that inspection of $name finds, $formats: hardware equals model") {
+    test(s"all that inspection of $name finds, $formats: hardware equals model", Simulated) {
       val scene = Scenes.byName(name)
       val features = FitFeatures(scene, small, options(scene))
       val config = features.config.copy(formats = formats)
@@ -116,7 +117,7 @@ class FittedPipelineTest extends AnyFunSuite {
     assert(images("model", scene, coarse) != images("model", scene, small))
   }
 
-  test("fewer planes: set-up is shorter") {
+  test("fewer planes: set-up is shorter", Simulated) {
     val scene = Scenes.byName("cube")
     def clocks(c: RasterConfig) =
       new PipelineEngine(EngineOptions(

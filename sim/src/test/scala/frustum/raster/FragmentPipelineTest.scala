@@ -2,7 +2,7 @@ package frustum.raster
 
 import frustum.contract.raster.{DepthFunction, RasterConfig, RenderState}
 import frustum.device.Tech
-import frustum.harness.{Equality, FrustumSim, Stalls}
+import frustum.harness.{Equality, FrustumSim, Simulated, Stalls}
 import frustum.model.raster.fragment.{Fragment => FragmentValues}
 import frustum.model.raster.FragmentModel
 import frustum.raster.fragment.StateSim
@@ -22,7 +22,7 @@ case class Item(tileEnd: Boolean, values: FragmentValues)
 /** A pixel that leaves it. */
 case class Pixel(color: Int, first: Boolean, tileX: Int, tileY: Int)
 
-class FragmentPipelineTest extends AnyFunSuite {
+class FragmentPipelineTest extends AnyFunSuite with Simulated {
 
   /** Fragments of all tiles of a frame: `perTile` each, drawn by `pick`. */
   def frame(config: RasterConfig, perTile: Int, pick: FragmentValues => Unit): Seq[Item] =

@@ -10,7 +10,7 @@ import frustum.contract.raster.{
   TileRegion
 }
 import frustum.device.Tech
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import frustum.model
 import frustum.raster.scan.InterpolatedFragment
 import frustum.raster.store.{FrameJob, RenderStateWord, StoreBus}
@@ -54,7 +54,7 @@ case class RasterizerBench(config: RasterConfig, slots: Int, latency: Int) exten
   }
 }
 
-class RasterizerTest extends AnyFunSuite {
+class RasterizerTest extends AnyFunSuite with Simulated {
 
   /** Words of a bank of the store, as the decoder lays them down. */
   private def image(pass: FramePass, config: RasterConfig): Map[Int, BigInt] = {

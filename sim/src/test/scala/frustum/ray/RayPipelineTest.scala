@@ -4,7 +4,7 @@ import frustum.contract.arithmetic.IntVector
 import frustum.contract.ray.{RayCamera, RayChecker, RayImage, RayScene, RaySolid, RaySphere}
 import frustum.contract.video.VideoMode
 import frustum.demos.pong.PongScene
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import frustum.model.ray.{RayPicture, RayPixel => ModelPixel}
 import frustum.ray.scene.RayConfig
 import org.scalatest.funsuite.AnyFunSuite
@@ -99,17 +99,17 @@ class RayPipelineTest extends AnyFunSuite {
 
   private val pong = PongScene.room(mode.width, mode.height, 3)
 
-  test("pong")(compare("pong", pong, 8, 1))
-  test("pong, with registers for a higher clock")(compare("fast", pong, 4, 11, fast = true))
-  test("pong, its puck not shaded")(compare("flat", pong.copy(shaded = false), 3, 7))
-  test("two spheres, of which the nearer one's shade is shown") {
+  test("pong", Simulated)(compare("pong", pong, 8, 1))
+  test("pong, with registers for a higher clock", Simulated)(compare("fast", pong, 4, 11, fast = true))
+  test("pong, its puck not shaded", Simulated)(compare("flat", pong.copy(shaded = false), 3, 7))
+  test("two spheres, of which the nearer one's shade is shown", Simulated) {
     val puck = pong.spheres.head
     val pillar = RaySphere(IntVector(-40, -60, 560), IntVector(-40, -60, 560), 30, 0x40c0ff)
     // The puck stays before the pillar.
     val wide = mode.copy(name = "400x12", width = 400)
     compare("two", pong.copy(spheres = Seq(pillar, puck.copy(high = puck.high.copy(z = 400)))), 4, 8, wide)
   }
-  test("a camera that moves and turns") {
+  test("a camera that moves and turns", Simulated) {
     val scene = RandomScenes.moving(mode.width, mode.height, 3, inside = true)
     compare(
       "moving",
@@ -119,7 +119,7 @@ class RayPipelineTest extends AnyFunSuite {
       camera = r => Some(RandomScenes.camera(scene, r, mode.width, mode.height, 3))
     )
   }
-  test("images on walls and quads, solid walls") {
+  test("images on walls and quads, solid walls", Simulated) {
     val random = new Random(10)
     def image(w: Int, h: Int, bits: Int) =
       RayImage(w, h, bits, IndexedSeq.fill(w * h)(random.nextInt(1 << 24)))
@@ -131,10 +131,10 @@ class RayPipelineTest extends AnyFunSuite {
     )
     compare("images", scene, 3, 10)
   }
-  test("no sphere")(compare("noSphere", pong.copy(spheres = Nil), 2, 2))
-  test("no light")(compare("noLight", pong.copy(light = None), 3, 3))
+  test("no sphere", Simulated)(compare("noSphere", pong.copy(spheres = Nil), 2, 2))
+  test("no light", Simulated)(compare("noLight", pong.copy(light = None), 3, 3))
 
-  test("random scenes, oriented cameras") {
+  test("random scenes, oriented cameras", Simulated) {
     val wide = mode.copy(name = "400x12", width = 400)
     for (seed <- 4 to 6) {
       val random = new Random(seed)

@@ -1,10 +1,10 @@
 package frustum.video
 
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 
-class PassThroughTest extends AnyFunSuite {
+class PassThroughTest extends AnyFunSuite with Simulated {
   test("mux hands four signals to the host and leaves reset to the core") {
     FrustumSim.compile("PassThrough")(PassThrough()).doSim("all", 1) { dut =>
       import dut.io._

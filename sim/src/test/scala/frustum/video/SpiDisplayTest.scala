@@ -2,7 +2,7 @@ package frustum.video
 
 import frustum.contract.raster.RasterConfig
 import frustum.contract.video.Panel
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated, ThreadTime}
 import frustum.model.video.{SpiDisplay => DisplayModel}
 import frustum.peripheral.{SimTft, SimTftReader, TftController}
 import org.scalatest.funsuite.AnyFunSuite
@@ -59,7 +59,7 @@ case class DisplayTop(config: RasterConfig, panel: Panel, fast: Int, clocksPerBi
 }
 object DisplayTop { val ClockHz = 36000000L }
 
-class SpiDisplayTest extends AnyFunSuite {
+class SpiDisplayTest extends AnyFunSuite with Simulated {
   private val fast = 4000
 
   /** Pixels of a whole picture, tile by tile. */
@@ -150,21 +150,25 @@ class SpiDisplayTest extends AnyFunSuite {
 
   test("two whole frames of 240 x 320 at the pins, in under 10 s each") {
     val config = RasterConfig()
-    FrustumSim.compile("Display_frame")(DisplayTop(config, Panel.Ili9341, fast, 2, free = true)).doSim("frames", 1) {
-      dut =>
+    val sim = FrustumSim.compile("Display_frame")(DisplayTop(config, Panel.Ili9341, fast, 2, free = true))
+    var readTime = 0.0
+    val (time, _) = ThreadTime.of {
+      sim.doSim("frames", 1) { dut =>
         dut.io.pixels.valid #= false
         dut.io.frames #= 2
         dut.clockDomain.forkStimulus(period = 10)
         val tft = new TftController(Panel.Ili9341)
         val reader = new SimTftReader(dut.tft, tft, DisplayTop.ClockHz, fast)
-        val started = System.nanoTime
-        while (tft.pixels < 2 * config.width * config.height) { sleep(10L * 200000); reader.drain() }
-        val seconds = (System.nanoTime - started) / 1e9
-        info(f"$seconds%.1f s for two frames")
+        readTime = ThreadTime.of {
+          while (tft.pixels < 2 * config.width * config.height) { sleep(10L * 200000); reader.drain() }
+        }._1
         assert(tft.violations.isEmpty, tft.violations.mkString("; "))
         val expected = Array.tabulate(config.width * config.height)(i => (i % 240 * 77 + i / 240 * 1031) & 0xffff)
         assert(tft.picture(config.width, config.height).sameElements(expected))
-        assert(seconds < 20)
+      }
     }
+    val seconds = time + readTime // the body of a simulation has a thread of its own
+    info(f"$seconds%.1f s for two frames")
+    assert(seconds < 20)
   }
 }

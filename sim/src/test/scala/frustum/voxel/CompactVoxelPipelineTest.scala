@@ -3,6 +3,7 @@ package frustum.voxel
 import frustum.contract.voxel.{LeapField, VoxelConfig, WorldSize}
 import frustum.demos.voxel.Blocks
 import frustum.engine.voxel.CompactVoxelSession
+import frustum.harness.Simulated
 import frustum.model.voxel.VoxelModel
 import frustum.scene.{Hills, VoxelWorld}
 import org.scalatest.funsuite.AnyFunSuite
@@ -10,7 +11,7 @@ import spinal.core.sim._
 import scala.util.Random
 
 /** Pictures of the small voxel pipeline against the model of the large one, every pixel. */
-class CompactVoxelPipelineTest extends AnyFunSuite {
+class CompactVoxelPipelineTest extends AnyFunSuite with Simulated {
   private val seed = 1
 
   private def equal(c: VoxelConfig, frames: Int, worlds: Seq[VoxelWorld]): Unit =

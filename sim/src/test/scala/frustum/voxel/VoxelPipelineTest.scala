@@ -4,6 +4,7 @@ import frustum.contract.voxel.{LeapField, VoxelConfig, WorldSize}
 import frustum.demos.voxel.Blocks
 import frustum.driver.voxel.VoxelView
 import frustum.engine.voxel.VoxelSession
+import frustum.harness.Simulated
 import frustum.model.voxel.VoxelModel
 import frustum.scene.{Hills, VoxelWorld}
 import frustum.voxel.march.MarcherStages
@@ -11,7 +12,7 @@ import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random
 
 /** Pictures of the voxel pipeline against its model, every pixel. */
-class VoxelPipelineTest extends AnyFunSuite {
+class VoxelPipelineTest extends AnyFunSuite with Simulated {
   private val seed = 1
 
   private def equal(c: VoxelConfig, views: Seq[VoxelView], worlds: Seq[VoxelWorld]): Unit =

@@ -1,6 +1,7 @@
 package frustum.command.play
 
 import frustum.command.CommandRunner
+import frustum.harness.Simulated
 import frustum.play.VirtualDisplay
 import org.scalatest.funsuite.AnyFunSuite
 
@@ -18,7 +19,7 @@ class PlayCommandTest extends AnyFunSuite {
     )
   }
 
-  test("play pong shows frames of the simulated hardware in a window") {
+  test("play pong shows frames of the simulated hardware in a window", Simulated) {
     assume(VirtualDisplay.isThere, "Xvfb is not installed")
     val said = VirtualDisplay.run("frustum.command.Main", 300, "play", "pong", "--frames", "6")
     val rate = """(?s).*6 frames, ([0-9.]+) a second, score 0.*""".r
@@ -28,22 +29,23 @@ class PlayCommandTest extends AnyFunSuite {
     }
   }
 
-  for (engine <- Seq("model", "hardware")) test(s"play voxel shows a world in a window, engine $engine") {
-    assume(VirtualDisplay.isThere, "Xvfb is not installed")
-    val said = VirtualDisplay.run(
-      "frustum.command.Main",
-      300,
-      "play",
-      "voxel",
-      "--frames",
-      "3",
-      "--size",
-      "80x60",
-      "--engine",
-      engine
-    )
-    assert(said.contains("3 frames, ") && said.contains("0 edits refused"), said)
-  }
+  for ((engine, marks) <- Seq("model" -> Nil, "hardware" -> Seq(Simulated)))
+    test(s"play voxel shows a world in a window, engine $engine", marks: _*) {
+      assume(VirtualDisplay.isThere, "Xvfb is not installed")
+      val said = VirtualDisplay.run(
+        "frustum.command.Main",
+        300,
+        "play",
+        "voxel",
+        "--frames",
+        "3",
+        "--size",
+        "80x60",
+        "--engine",
+        engine
+      )
+      assert(said.contains("3 frames, ") && said.contains("0 edits refused"), said)
+    }
 
   test("nothing else can be played") {
     val run = CommandRunner.run("play", "chess")

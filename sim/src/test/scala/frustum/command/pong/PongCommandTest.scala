@@ -1,12 +1,13 @@
 package frustum.command.pong
 
 import frustum.command.CommandRunner
+import frustum.harness.Simulated
 import org.scalatest.funsuite.AnyFunSuite
 import java.nio.file.Files
 import javax.imageio.ImageIO
 
 /** A few frames of the simulated hardware, whole. */
-class PongCommandTest extends AnyFunSuite {
+class PongCommandTest extends AnyFunSuite with Simulated {
   test("frames, film and report of a game from a file") {
     val folder = Files.createTempDirectory("pong")
     val input = Files.writeString(Files.createTempFile("buttons", ".txt"), "ur\nu\n")

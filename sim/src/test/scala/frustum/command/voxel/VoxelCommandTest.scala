@@ -2,6 +2,7 @@ package frustum.command.voxel
 
 import frustum.command.CommandRunner
 import frustum.command.common.Words
+import frustum.harness.Simulated
 import org.scalatest.funsuite.AnyFunSuite
 import java.awt.image.BufferedImage
 import java.nio.file.{Files, Path}
@@ -129,7 +130,7 @@ class VoxelCommandTest extends AnyFunSuite {
 
   // The iCE40's pipeline draws a ray after the other.
   for ((engine, size, clocks) <- Seq(("hardware", "64x48", 1.2), ("pipeline", "33x25", 1.2), ("small", "40x32", 3.0)))
-    test(s"$engine: the model's picture, at most $clocks clocks a step") {
+    test(s"$engine: the model's picture, at most $clocks clocks a step", Simulated) {
       val out = Files.createTempDirectory("voxel-hardware")
       val run = CommandRunner.run(
         "voxel",

@@ -1,12 +1,12 @@
 package frustum.demos.pad
 
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 
 import scala.util.Random
 
-class ButtonsTest extends AnyFunSuite {
+class ButtonsTest extends AnyFunSuite with Simulated {
   private lazy val unit = FrustumSim.compile("Buttons")(Buttons(4))
 
   test("a bounce shorter than the time between looks gives one press; all at once count each") {

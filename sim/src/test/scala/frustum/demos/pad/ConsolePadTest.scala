@@ -1,6 +1,6 @@
 package frustum.demos.pad
 
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import frustum.peripheral.SimConsolePad
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
@@ -37,7 +37,7 @@ class ConsolePadTest extends AnyFunSuite {
       if (h) 0 else 1 << i
     }.sum) ++ sticks
 
-  test("digital and analogue pads: every button, every stick (seed 1)") {
+  test("digital and analogue pads: every button, every stick (seed 1)", Simulated) {
     session(1) { (pad, ask, random) =>
       for (i <- 0 until 16; sticks <- Seq(Nil, Seq(1, 2, 254, 255))) {
         val held = Seq.tabulate(16)(_ == i)
@@ -53,7 +53,8 @@ class ConsolePadTest extends AnyFunSuite {
   }
 
   test(
-    "the wires: 01 42 and zeros, five bytes for a digital pad and nine for sticks, SCK at 83 kHz at most"
+    "the wires: 01 42 and zeros, five bytes for a digital pad and nine for sticks, SCK at 83 kHz at most",
+    Simulated
   ) {
     session(2) { (pad, ask, _) =>
       for ((id, count) <- Seq(0x41 -> 5, 0x73 -> 9)) {
@@ -66,7 +67,8 @@ class ConsolePadTest extends AnyFunSuite {
   }
 
   test(
-    "no pad, another id, no 5A, a pad unplugged at any byte: at rest, and right again with the next answer"
+    "no pad, another id, no 5A, a pad unplugged at any byte: at rest, and right again with the next answer",
+    Simulated
   ) {
     session(3) { (pad, ask, random) =>
       val good = bytes(0x73, Seq.fill(16)(true), Seq(3, 4, 5, 6))

@@ -1,7 +1,7 @@
 package frustum.demos.pong
 
 import frustum.demos.pong.PongRules._
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import frustum.model.demos.pong.{PongButtons => Pressed, PongGame => Model, PuckAxis => Axis}
 import frustum.play.AutoPlayer
 import org.scalatest.funsuite.AnyFunSuite
@@ -77,7 +77,7 @@ class PongGameTest extends AnyFunSuite {
     assert(Model.start.copy(score = 5, lost = true).tick(Pressed(true, true, true, true)) == Model.start)
   }
 
-  test("hardware = model, tick by tick, reset at any time") {
+  test("hardware = model, tick by tick, reset at any time", Simulated) {
     FrustumSim.compile("PongGame")(PongGame()).doSim("ticks", seed) { dut =>
       SimTimeout(100L * 1000 * 1000)
       val random = new Random(seed)

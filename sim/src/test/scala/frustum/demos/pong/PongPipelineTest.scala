@@ -1,7 +1,7 @@
 package frustum.demos.pong
 
 import frustum.contract.video.{ColorFormat, VideoMode}
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import frustum.model.demos.pong.{PongButtons => Pressed, PongGame, PongModel}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
@@ -9,7 +9,7 @@ import spinal.lib.graphic.vga.VgaTimings
 
 import scala.collection.mutable.ArrayBuffer
 
-class PongPipelineTest extends AnyFunSuite {
+class PongPipelineTest extends AnyFunSuite with Simulated {
 
   /** The game's own field of view in fewer pixels; blanks long enough for set-up. */
   private val mode =

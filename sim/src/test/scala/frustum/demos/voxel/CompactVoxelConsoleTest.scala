@@ -5,6 +5,7 @@ import frustum.contract.voxel.{VoxelCamera, VoxelConfig, VoxelHostCommand, World
 import frustum.driver.voxel.VoxelView
 import frustum.engine.EngineSim
 import frustum.engine.voxel.{CompactVoxelPins, CompactVoxelSession}
+import frustum.harness.Simulated
 import frustum.model.voxel.VoxelModel
 import frustum.model.voxel.world.LeapWords
 import frustum.peripheral.{SimTftReader, TftController}
@@ -14,7 +15,7 @@ import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 
 /** `icebreaker-voxel` at its pins: what a display shows of what a host sends. */
-class CompactVoxelConsoleTest extends AnyFunSuite {
+class CompactVoxelConsoleTest extends AnyFunSuite with Simulated {
   private val c = VoxelConfig(size = WorldSize(16, 16, 8), width = 64, height = 48)
   private val focal = 45
   private val start = VoxelCamera.level(c, focal)

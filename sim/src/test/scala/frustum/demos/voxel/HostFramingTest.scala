@@ -1,11 +1,12 @@
 package frustum.demos.voxel
 
 import frustum.engine.EngineSim
+import frustum.harness.Simulated
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 import scala.collection.mutable
 
-class HostFramingTest extends AnyFunSuite {
+class HostFramingTest extends AnyFunSuite with Simulated {
   private val Silence = 30
   private val bytesOf = Map(0x41 -> 1, 0x5a -> 6)
 

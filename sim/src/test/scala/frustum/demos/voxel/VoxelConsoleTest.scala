@@ -5,6 +5,7 @@ import frustum.contract.video.{ColorFormat, PinColor, VideoMode}
 import frustum.contract.voxel.{LeapField, SeenFace, VoxelCamera, VoxelConfig, VoxelHostCommand, WorldSize}
 import frustum.driver.voxel.VoxelView
 import frustum.engine.voxel.{VoxelBoardSession, VoxelBoardTestbed}
+import frustum.harness.Simulated
 import frustum.model.demos.voxel.{PlayerCamera, VoxelButtons, VoxelMarks, VoxelPlayer, VoxelScreen}
 import frustum.model.voxel.VoxelModel
 import frustum.model.voxel.world.LeapWords
@@ -17,7 +18,7 @@ import scala.collection.mutable.ArrayBuffer
 import scala.util.Random
 
 /** The Arty's top at its pins, with a small picture and world: what a monitor shows of what a host sends and a pad holds. */
-class VoxelConsoleTest extends AnyFunSuite {
+class VoxelConsoleTest extends AnyFunSuite with Simulated {
   private val c = VoxelConfig(size = WorldSize(16, 16, 16), width = 64, height = 48, leaps = LeapField.Quadrants)
   private val mode = VideoMode("test", 25, 128, 96, 8, 16, 24, 3, 2, 9, hPositive = false, vPositive = false)
   private val config = VoxelConsoleConfig(c, Blocks.assets, mode).copy(baud = 6250000)

@@ -2,7 +2,7 @@ package frustum.demos.voxel
 
 import frustum.contract.arithmetic.IntVector
 import frustum.contract.voxel.{LeapField, SeenFace, VoxelConfig, WorldSize}
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import frustum.model.demos.voxel.{PlayerCamera => CameraModel, VoxelButtons => Held, VoxelPlayer => PlayerModel}
 import frustum.model.voxel.world.LeapWords
 import frustum.scene.VoxelWorld
@@ -15,7 +15,7 @@ import spinal.lib._
 import scala.util.Random
 
 /** The player in hardware, with a world and its editor, against the model: where it is, what it holds, what it changes, what it sees. */
-class VoxelPlayerHardwareTest extends AnyFunSuite {
+class VoxelPlayerHardwareTest extends AnyFunSuite with Simulated {
   private case class Bench(c: VoxelConfig, rules: VoxelRules, program: CameraProgram, start: VoxelStart)
       extends Component {
     val io = new Bundle {

@@ -4,12 +4,13 @@ import frustum.contract.arithmetic.IntVector
 import frustum.contract.ray.{RayQuad, RayScene, RaySolid, RaySphere}
 import frustum.contract.video.VideoMode
 import frustum.demos.pong.{PongPipelineConfig, PongScene}
+import frustum.harness.Simulated
 import frustum.model.demos.pong.{PongButtons, PongGame, PongModel}
 import frustum.play.AutoPlayer
 import org.scalatest.funsuite.AnyFunSuite
 
 /** Games at the pins of the boards' tops, in modes of few pixels: each frame is the model's. */
-class PongRunTest extends AnyFunSuite {
+class PongRunTest extends AnyFunSuite with Simulated {
 
   /** The room in few pixels, and blanks that are long enough for set-up.
     *

@@ -5,12 +5,13 @@ import frustum.contract.raster.RasterConfig
 import frustum.contract.video.Panel
 import frustum.driver.raster.Driver
 import frustum.engine.EngineSim
+import frustum.harness.{Simulated, ThreadTime}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 import java.nio.file.Files
 import scala.util.Random
 
-class PinsEngineTest extends AnyFunSuite {
+class PinsEngineTest extends AnyFunSuite with Simulated {
   private val small = RasterConfig(width = 64, height = 48)
 
   private def simulate(seed: Int)(body: (PinsTestbed, PinsSession) => Unit): Unit =
@@ -92,9 +93,7 @@ class PinsEngineTest extends AnyFunSuite {
     val config = RasterConfig(width = 320, height = 240)
     PinsEngine.compile(config, Panel.St7789) // not to be counted
     val frames = Frames.scene("cube", config)
-    val started = System.nanoTime
-    val drawn = new PinsEngine(EngineOptions(1, None, Panel.St7789)).render(frames).head
-    val seconds = (System.nanoTime - started) / 1e9
+    val (seconds, drawn) = ThreadTime.of(new PinsEngine(EngineOptions(1, None, Panel.St7789)).render(frames).head)
     info(f"$seconds%.1f s, ${drawn.clocksAtPins.get} clocks")
     Frames.assertEqual(config, drawn.image, Frames.model(frames.head), "cube")
     assert(seconds < 10)

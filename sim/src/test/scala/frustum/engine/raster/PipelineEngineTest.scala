@@ -4,10 +4,11 @@ import frustum.bench.Workloads
 import frustum.contract.raster.{FramePass, RasterConfig, TextureUpload}
 import frustum.driver.raster.Driver
 import frustum.engine.EngineSim
+import frustum.harness.Simulated
 import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random
 
-class PipelineEngineTest extends AnyFunSuite {
+class PipelineEngineTest extends AnyFunSuite with Simulated {
   private val odd = RasterConfig(width = 72, height = 40)
   private val smallest = RasterConfig(
     width = 40,

@@ -1,7 +1,7 @@
 package frustum.raster.fragment
 
 import frustum.contract.raster.{RasterConfig, RenderState}
-import frustum.harness.{Equality, FlowUnit, FrustumSim}
+import frustum.harness.{Equality, FlowUnit, FrustumSim, Simulated}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core._
 import spinal.core.sim._
@@ -23,7 +23,7 @@ class AlphaTestBench(config: RasterConfig) extends Component {
   }
 }
 
-class AlphaStageTest extends AnyFunSuite {
+class AlphaStageTest extends AnyFunSuite with Simulated {
   private val config = RasterConfig()
   private lazy val unit = FrustumSim.compile("AlphaTest")(new AlphaTestBench(config))
 

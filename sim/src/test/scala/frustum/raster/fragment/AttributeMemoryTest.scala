@@ -1,7 +1,7 @@
 package frustum.raster.fragment
 
 import frustum.contract.raster.RasterConfig
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import frustum.model.raster.fragment.Fragment
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
@@ -9,7 +9,7 @@ import spinal.core.sim._
 import scala.collection.mutable.ArrayBuffer
 import scala.util.Random
 
-class AttributeMemoryTest extends AnyFunSuite {
+class AttributeMemoryTest extends AnyFunSuite with Simulated {
   private val seed = 2
 
   /** Attributes as the memory shows them: place, end mark, colours with nine bits. */

@@ -1,7 +1,7 @@
 package frustum.raster.fragment
 
 import frustum.contract.raster.{RasterConfig, RenderState}
-import frustum.harness.{Equality, FrustumSim}
+import frustum.harness.{Equality, FrustumSim, Simulated}
 import frustum.model
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.Bits
@@ -37,7 +37,7 @@ class BlendTest extends AnyFunSuite {
   private def color(r: Random): Int = Seq(0, 0xffff, r.nextInt(65536))(r.nextInt(3))
 
   for (blend <- Seq(false, true); clear <- Seq(0, 0xa5b7))
-    test(f"tiles ${if (blend) "blended" else "replaced"} over $clear%04x") {
+    test(f"tiles ${if (blend) "blended" else "replaced"} over $clear%04x", Simulated) {
       val r = new Random(seed)
       val apart = if (blend) 3 else 2
       val tiles = Seq(4, words, 5, words, 4).map(of => places(r, of, apart, 350 + r.nextInt(100)))

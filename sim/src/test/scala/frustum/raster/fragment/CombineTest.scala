@@ -2,7 +2,7 @@ package frustum.raster.fragment
 
 import frustum.contract.raster.{Combine => CombineMode, RasterConfig, RenderState, TexelFormat, TextureRef}
 import frustum.device.Tech
-import frustum.harness.{Equality, FrustumSim}
+import frustum.harness.{Equality, FrustumSim, Simulated}
 import frustum.model
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
@@ -28,7 +28,7 @@ class CombineTest extends AnyFunSuite {
     mode <- Seq(CombineMode.ColorOnly, CombineMode.Replace, CombineMode.Modulate);
     format <- Seq(TexelFormat.Rgb565, TexelFormat.Rgba4444)
   )
-    test(s"$mode, $format") {
+    test(s"$mode, $format", Simulated) {
       val random = new Random(1)
       val state = RenderState(Some(TextureRef(0, 3, 3, format)), combine = mode)
       val rgba = format == TexelFormat.Rgba4444

@@ -1,7 +1,7 @@
 package frustum.raster.fragment
 
 import frustum.contract.raster.{DepthFunction, RasterConfig, RenderState}
-import frustum.harness.{Equality, FlowUnit, FrustumSim}
+import frustum.harness.{Equality, FlowUnit, FrustumSim, Simulated}
 import frustum.model
 import frustum.raster.store.RenderStateWord
 import frustum.raster.tile.TileSweep
@@ -50,7 +50,7 @@ class DepthTestBench(config: RasterConfig) extends Component {
   }
 }
 
-class DepthStageTest extends AnyFunSuite {
+class DepthStageTest extends AnyFunSuite with Simulated {
   private val config = RasterConfig(19, 21, 3, 3)
   private lazy val unit = FrustumSim.compile("DepthTest")(new DepthTestBench(config))
   private val seed = 4

@@ -1,7 +1,7 @@
 package frustum.raster.fragment
 
 import frustum.contract.raster.{RasterConfig, RenderState}
-import frustum.harness.{Equality, FlowUnit, FrustumSim, Stalls}
+import frustum.harness.{Equality, FlowUnit, FrustumSim, Simulated, Stalls}
 import frustum.raster.store.RenderStateWord
 import frustum.raster.tile.TileClear
 import org.scalatest.funsuite.AnyFunSuite
@@ -42,7 +42,7 @@ class InterlockBench(config: RasterConfig) extends Component {
   }
 }
 
-class InterlockTest extends AnyFunSuite {
+class InterlockTest extends AnyFunSuite with Simulated {
   private val config = RasterConfig()
   private lazy val unit = FrustumSim.compile("Interlock")(new InterlockBench(config))
   private val seed = 3

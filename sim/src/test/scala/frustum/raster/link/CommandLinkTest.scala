@@ -11,14 +11,14 @@ import frustum.contract.raster.{
   TextureRef,
   VertexRanges
 }
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import frustum.model.raster.link.{CommandDecoder => DecoderModel, Job, LinkCounters, LinkModel}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 
 import scala.util.Random
 
-class CommandLinkTest extends AnyFunSuite {
+class CommandLinkTest extends AnyFunSuite with Simulated {
   private val small = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
   private lazy val compiled = FrustumSim.compile("CommandLink_small")(CommandLinkTop(small, dropWhenFull = false))
 

@@ -1,7 +1,7 @@
 package frustum.raster.link
 
 import frustum.contract.raster.{PackedVertex, RasterConfig}
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import frustum.model
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
@@ -9,7 +9,7 @@ import spinal.core.sim._
 import scala.util.Random
 
 /** Tiles that a triangle may touch along an axis, against the model. */
-class TriangleBoxTest extends AnyFunSuite {
+class TriangleBoxTest extends AnyFunSuite with Simulated {
   private val seed = 14
 
   for (config <- Seq(RasterConfig(8, 8, 3, 3), RasterConfig(), RasterConfig(1001, 509, 5, 4)))

@@ -1,13 +1,13 @@
 package frustum.raster.link
 
 import frustum.contract.raster.{PackedVertex, VertexRanges}
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 
 import scala.util.Random
 
-class VertexCheckTest extends AnyFunSuite {
+class VertexCheckTest extends AnyFunSuite with Simulated {
   private val seed = 15
 
   for (

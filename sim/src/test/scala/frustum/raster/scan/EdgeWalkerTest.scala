@@ -1,7 +1,7 @@
 package frustum.raster.scan
 
 import frustum.contract.raster.RasterConfig
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import frustum.mutation.{EdgeJob, EdgeJobs}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
@@ -10,7 +10,7 @@ import spinal.lib.sim._
 import scala.collection.mutable.ArrayBuffer
 import scala.util.Random
 
-class EdgeWalkerTest extends AnyFunSuite {
+class EdgeWalkerTest extends AnyFunSuite with Simulated {
   private val config = RasterConfig()
 
   private val seed = 11

@@ -2,11 +2,11 @@ package frustum.raster.setup
 
 import frustum.contract.raster.SetupWords
 import frustum.device.Tech
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 
-class SetupEngineTest extends AnyFunSuite {
+class SetupEngineTest extends AnyFunSuite with Simulated {
   test("constants of the scratch memory outlast whatever the registers hold at power up") {
     val compiled = FrustumSim.compile("SetupEngine")(SetupEngine(6, Tech.Generic))
     for (boot <- 1 to 300) compiled.doSim("boot", boot) { dut =>

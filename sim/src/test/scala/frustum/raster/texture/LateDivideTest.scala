@@ -12,7 +12,7 @@ import frustum.contract.raster.{
   VertexRanges
 }
 import frustum.device.Tech
-import frustum.harness.{Equality, FrustumSim}
+import frustum.harness.{Equality, FrustumSim, Simulated}
 import frustum.model
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
@@ -43,7 +43,7 @@ class LateDivideTest extends AnyFunSuite {
       }
     }
 
-    test(s"$name: hardware equals model") {
+    test(s"$name: hardware equals model", Simulated) {
       val random = new Random(2)
       val corners =
         Seq(0, 1, -1, Int.MaxValue, Int.MinValue, 1 << 30, 0x3fffffff, 1 << 29, 1 << 28, 0x1fffffff, 1 << 24, 1 << 16)

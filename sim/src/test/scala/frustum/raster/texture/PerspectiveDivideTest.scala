@@ -2,7 +2,7 @@ package frustum.raster.texture
 
 import frustum.contract.arithmetic.ReciprocalTable
 import frustum.device.Tech
-import frustum.harness.{Equality, FrustumSim}
+import frustum.harness.{Equality, FrustumSim, Simulated}
 import frustum.model
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
@@ -43,7 +43,7 @@ class PerspectiveDivideTest extends AnyFunSuite {
     }
   }
 
-  test("hardware equals model") {
+  test("hardware equals model", Simulated) {
     val random = new Random(2)
     val corners = Seq(
       0,

@@ -2,7 +2,7 @@ package frustum.raster.texture
 
 import frustum.contract.raster.{RasterConfig, RenderState, TexelFormat, TextureRef, Wrap}
 import frustum.device.Tech
-import frustum.harness.{Equality, FrustumSim}
+import frustum.harness.{Equality, FrustumSim, Simulated}
 import frustum.model
 import frustum.raster.fragment.StateSim
 import frustum.raster.store.RenderStateWord
@@ -30,7 +30,7 @@ class TextureHarness(config: RasterConfig) extends Component {
   io.down << unit.io.down
 }
 
-class TextureUnitTest extends AnyFunSuite {
+class TextureUnitTest extends AnyFunSuite with Simulated {
   private val config = RasterConfig(textureTexels = 4096)
   private lazy val unit = FrustumSim.compile("TextureUnit")(new TextureHarness(config))
 

@@ -1,7 +1,7 @@
 package frustum.raster.tile
 
 import frustum.contract.raster.RasterConfig
-import frustum.harness.{Equality, FrustumSim, Stalls}
+import frustum.harness.{Equality, FrustumSim, Simulated, Stalls}
 import frustum.model.raster.FragmentModel
 import frustum.video.ResolvedPixel
 import org.scalatest.funsuite.AnyFunSuite
@@ -11,7 +11,7 @@ import spinal.lib.sim.StreamDriver
 import scala.util.Random
 
 /** The resolver's pixels, and what it leaves in the tile memory, against the model's tiles. */
-class ResolverTest extends AnyFunSuite {
+class ResolverTest extends AnyFunSuite with Simulated {
   private val seed = 12
   private case class Stroke(at: Int, color: Int, end: Boolean)
   private case class Pixel(color: Int, first: Boolean, tileX: Int, tileY: Int)

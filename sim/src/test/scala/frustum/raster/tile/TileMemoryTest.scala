@@ -1,13 +1,13 @@
 package frustum.raster.tile
 
 import frustum.contract.raster.RasterConfig
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 
 import scala.util.Random
 
-class TileMemoryTest extends AnyFunSuite {
+class TileMemoryTest extends AnyFunSuite with Simulated {
   private val config = RasterConfig(19, 21, 3, 3)
   private val words = 64
   private val seed = 9

@@ -2,6 +2,7 @@ package frustum.voxel.march
 
 import frustum.contract.voxel.{VoxelCamera, VoxelConfig}
 import frustum.engine.EngineSim
+import frustum.harness.Simulated
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 
@@ -9,7 +10,10 @@ class CameraMemoryTest extends AnyFunSuite {
   private val c = VoxelConfig()
   private val start = VoxelCamera.level(c, 225)
 
-  test("what is shown is the newest camera that was whole when it was taken, after a reset that of the start") {
+  test(
+    "what is shown is the newest camera that was whole when it was taken, after a reset that of the start",
+    Simulated
+  ) {
     EngineSim.compile("CameraMemory")(CameraMemory(c, start)).doSim("random", 1) { dut =>
       val random = simRandom
       var shown, newest = start.numbers

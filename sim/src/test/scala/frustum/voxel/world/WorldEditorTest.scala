@@ -1,7 +1,7 @@
 package frustum.voxel.world
 
 import frustum.contract.voxel.{LeapField, VoxelConfig, WorldSize}
-import frustum.harness.FrustumSim
+import frustum.harness.{FrustumSim, Simulated}
 import frustum.model.voxel.world.LeapWords
 import frustum.scene.VoxelWorld
 import org.scalatest.funsuite.AnyFunSuite
@@ -11,7 +11,7 @@ import spinal.lib._
 import scala.util.Random
 
 /** Edits by the hardware: after each the world's memory is, word for word, what a host would have made of the new world. */
-class WorldEditorTest extends AnyFunSuite {
+class WorldEditorTest extends AnyFunSuite with Simulated {
   private case class Bench(c: VoxelConfig) extends Component {
     val edit = slave(Stream(BlockEdit(c)))
     val editor = WorldEditor(c)
