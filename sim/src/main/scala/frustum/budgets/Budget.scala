@@ -15,7 +15,8 @@ final case class Budget(scene: String, metric: String, bound: Double, today: Dou
   def measured(value: Double): Budget = copy(today = value)
 
   /** The bound moved to today's value if that is better, rounded to what a person would write, on the safe side. */
-  def tightened: Budget = {
+  def tightened: Budget = if (scene == Budget.AnyPicture) this
+  else {
     val candidate = Budget.rounded(today, up = !higherIsBetter)
     if (worse(candidate, bound)) this else copy(bound = candidate)
   }
@@ -23,6 +24,9 @@ final case class Budget(scene: String, metric: String, bound: Double, today: Dou
 }
 
 object Budget {
+
+  /** In place of a scene: bounds for whatever is drawn, which those pictures that are measured do not tighten. */
+  val AnyPicture = "any picture"
 
   /** A figure that has no bound yet takes today's. */
   def first(scene: String, metric: String, value: Double): Budget = {

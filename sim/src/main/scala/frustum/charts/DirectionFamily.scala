@@ -1,13 +1,10 @@
 package frustum.charts
 
 import frustum.contract.voxel.VoxelConfig
-import frustum.demos.voxel.Blocks
 import frustum.device.Tech
 import frustum.driver.voxel.VoxelView
 import frustum.judge.VoxelJudge
 import frustum.model.voxel.wide.VoxelRaySetup
-import frustum.reference.voxel.IdealVoxelPicture
-import frustum.scene.VoxelWorld
 import frustum.synthesis.UnitCosts
 import org.joml.Vector3d
 import scala.util.Random
@@ -30,13 +27,12 @@ object DirectionFamily extends ChartFamily {
   /** Greatest error in pixels. */
   def error(slopeBits: Int): Double = {
     val c = VoxelConfig(slopeBits = slopeBits)
-    val empty = VoxelWorld.tabulate(c.size)((_, _, _) => 0)
     (for (view <- views) yield {
       val camera = view.camera(c)
-      val ideal = new IdealVoxelPicture(c, Blocks.assets, empty, view)
+      val ideal = VoxelJudge.rays(view, c)
       (for (j <- 0 until c.height by 9; i <- 0 until c.width by 9) yield {
         val ray = VoxelRaySetup(camera.eye.axes, camera.direction(i, j), c)
-        ideal.directionError(i, j, VoxelJudge.direction(ray, slopeBits).map(_.toDouble))
+        VoxelJudge.error(ideal, i, j, ray, c)
       }).max
     }).max
   }

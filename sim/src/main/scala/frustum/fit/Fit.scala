@@ -5,10 +5,14 @@ import frustum.contract.raster.{Combine, PlaneFormats}
 import frustum.driver.raster.{Driver, PreparedFrame, StateTable, TextureMemory}
 import frustum.driver.scene.Scene
 import frustum.engine.raster.Engines
-import frustum.judge.{Flip, FrameJudge, LoggedFragment}
+import frustum.judge.{EndToEndJudge, Flip, FrameJudge, LoggedFragment}
+import frustum.referee.WorldView
 import frustum.reference.raster.ReferenceRaster
 import scala.math.pow
 import scala.util.Random
+
+/** A view as the model draws it: its picture as 0xRRGGBB, and the fragments of each pass. */
+final case class DrawnView(frame: PreparedFrame, picture: Array[Int], logs: Seq[IndexedSeq[LoggedFragment]])
 
 /** Searches the formats with which every view of a volume stays within a budget.
   *
@@ -47,11 +51,15 @@ final class Fit(
     0
   )
 
-  /** A view and its fragments by the model. */
-  def draw(view: View, formats: PlaneFormats): (PreparedFrame, Seq[IndexedSeq[LoggedFragment]]) = {
+  def drawn(view: View, formats: PlaneFormats): DrawnView = {
     val frame = prepare(view, formats)
-    (frame, judge.drawModel(frame)._3)
+    val (_, picture, logs) = judge.drawModel(frame)
+    DrawnView(frame, picture, logs)
   }
+
+  /** What the driver is asked for. */
+  def asked(view: View): WorldView =
+    EndToEndJudge.view(scene, view.camera(scene.camera), features.options, features.config)
 
   def errors(view: View, formats: PlaneFormats): ViewErrors = {
     if (solid && Convexity.inside(scene, view.camera(scene.camera).eye))

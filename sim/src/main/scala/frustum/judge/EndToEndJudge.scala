@@ -1,41 +1,69 @@
 package frustum.judge
 
-import frustum.driver.raster.PreparedFrame
-import frustum.reference.raster.{ReferenceRaster, Shading}
-import scala.collection.mutable.ArrayBuffer
+import frustum.contract.raster.RasterConfig
+import frustum.driver.raster.{DrawOptions, PreparedFrame}
+import frustum.driver.scene.{Camera, Scene}
+import frustum.referee.{EndToEnd, Llvmpipe, Seen, WorldPicture, WorldView}
+import frustum.reference.raster.Shading
 
-/** The whole chain against unquantised input: charted, not bounded.
+/** A frame against what the user asked for: drawn once more from the world, by code that shares nothing with the driver.
   *
-  * @param coverageWrong layers too many or too few, summed over pixels
-  * @param texelsWrong   textured layers that read another texel, of pixels with the right number of layers
+  * @param world       float64's counts, the same on every machine: what bounds are for
+  * @param counts      the referee's: of llvmpipe where it is installed, else those of float64
+  * @param worldPicture,picture the same two drawings, 0xRRGGBB
   */
-final case class EndToEndVerdict(coverageWrong: Long, texelsWrong: Long) {
-  def +(o: EndToEndVerdict): EndToEndVerdict =
-    EndToEndVerdict(coverageWrong + o.coverageWrong, texelsWrong + o.texelsWrong)
-}
+final case class EndToEndVerdict(
+    world: EndToEnd,
+    counts: EndToEnd,
+    worldPicture: Array[Int],
+    picture: Array[Int]
+)
 
-/** Compares layer by layer in drawing order, because snapping moves an edge, and with it a pixel, from one
-  * triangle to its neighbour without anything to be seen.
-  */
 object EndToEndJudge {
-  private type Layers = Array[ArrayBuffer[Option[(Int, Int)]]]
 
-  /** @param fragments of each pass
-    * @return the verdict, and the picture it was judged against as 0xRRGGBB
+  /** What the driver is asked for, in the referee's words. */
+  def view(scene: Scene, camera: Camera, options: DrawOptions, config: RasterConfig): WorldView = WorldView(
+    scene,
+    camera,
+    config.width,
+    config.height,
+    options.light,
+    options.cullBack,
+    options.wrap,
+    options.background,
+    options.turnDegrees,
+    options.depthTest
+  )
+
+  /** @param logs fragments of each pass
+    * @param rgb  the picture as the engine drew it
     */
-  def judge(frame: PreparedFrame, fragments: Seq[Iterable[LoggedFragment]]): (EndToEndVerdict, Array[Int]) = {
-    val width = frame.config.width
-    def empty: Layers = Array.fill(width * frame.config.height)(ArrayBuffer.empty)
-    val (drawn, truth) = (empty, empty)
-    for ((pass, log) <- frame.passes.zip(fragments); f <- log) {
-      val textured = Shading.textureOf(pass.states(pass.triangles(f.triangle).state)).isDefined
-      drawn(f.y * width + f.x) += Option.when(textured)((f.texelS, f.texelT))
+  def judge(
+      view: WorldView,
+      frame: PreparedFrame,
+      logs: Seq[IndexedSeq[LoggedFragment]],
+      rgb: Array[Int]
+  ): EndToEndVerdict = {
+    val world = new WorldPicture(view)
+    val llvmpipe = Llvmpipe.draw(view)
+    val shown = seen(frame, logs)
+    val own = EndToEnd.judge(world, None, shown, rgb)
+    EndToEndVerdict(
+      own,
+      llvmpipe.fold(own)(m => EndToEnd.judge(world, Some(m.seen), shown, rgb)),
+      world.picture,
+      llvmpipe.fold(world.picture)(_.picture)
+    )
+  }
+
+  /** What the fragments leave at each pixel, by the numbers that the scene has for its triangles. */
+  def seen(frame: PreparedFrame, logs: Seq[IndexedSeq[LoggedFragment]]): Seen = {
+    val shown = new Seen(frame.config.width * frame.config.height)
+    for (((pass, sources), log) <- frame.passes.zip(frame.sources).zip(logs); f <- log if f.drawn) {
+      val state = pass.states(pass.triangles(f.triangle).state)
+      val texel = Shading.textureOf(state).map(_ => (f.texelS, f.texelT))
+      shown.write(f.y * frame.config.width + f.x, sources(f.triangle), Seen.texel(texel), state.blend)
     }
-    val reference = ReferenceRaster.drawEndToEnd(frame, f => truth(f.y * width + f.x) += f.texel)
-    val verdict = drawn.zip(truth).foldLeft(EndToEndVerdict(0, 0)) { case (sum, (mine, its)) =>
-      if (mine.length != its.length) sum + EndToEndVerdict((mine.length - its.length).abs, 0)
-      else sum + EndToEndVerdict(0, mine.zip(its).count { case (a, b) => a.isDefined && a != b })
-    }
-    (verdict, reference.rgb888)
+    shown
   }
 }

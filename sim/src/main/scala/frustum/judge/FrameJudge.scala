@@ -5,6 +5,7 @@ import frustum.driver.raster.PreparedFrame
 import frustum.engine.raster.{ReferenceRenderer, RenderedFrame}
 import frustum.model.raster.PassRenderer
 import frustum.picture.Picture
+import frustum.referee.WorldView
 import frustum.reference.raster.{ReferenceFrame, ReferenceRaster}
 
 /** The model against the reference that was fed with the vertices as the hardware decodes them. */
@@ -18,15 +19,18 @@ final case class ModelVerdict(coverage: CoverageVerdict, texels: AttributeVerdic
   * @param fragments       covered pixels entering the fragment stages
   * @param pixelsDifferent from the model's picture, for a simulated engine
   * @param model           for every engine but the reference
+  * @param snapping        and its picture: what the rounding of vertices costs
+  * @param endToEnd        where it is known what the frame was made from
   */
 final case class FrameVerdict(
     picture: Array[Int],
     reference: Array[Int],
-    endToEndPicture: Array[Int],
+    snappingPicture: Array[Int],
     fragments: Long,
     pixelsDifferent: Option[Long],
     model: Option[ModelVerdict],
-    endToEnd: EndToEndVerdict
+    snapping: SnappingVerdict,
+    endToEnd: Option[EndToEndVerdict]
 )
 
 /** Judges the frames of an engine.
@@ -35,22 +39,25 @@ final case class FrameVerdict(
   */
 final class FrameJudge(model: Option[RasterConfig => PassRenderer], simulated: Boolean) {
 
-  def judge(frame: PreparedFrame, rendered: RenderedFrame): FrameVerdict = {
+  /** @param view what the frame was made from; None: the driver's part is not judged */
+  def judge(frame: PreparedFrame, rendered: RenderedFrame, view: Option[WorldView] = None): FrameVerdict = {
     val config = frame.config
     val memory = ReferenceRaster.texelMemory(frame.textures)
     val image = new Array[Int](config.width * config.height)
     val logs = draw(frame, memory, image)
     val reference = ReferenceRaster.draw(frame).rgb888
-    val (endToEnd, endToEndPicture) = EndToEndJudge.judge(frame, logs)
+    val (snapping, snappingPicture) = SnappingJudge.judge(frame, logs)
+    // The reference's own picture need not be squeezed into RGB565.
+    val picture = if (model.isEmpty) reference else Picture.ofRgb565(rendered.image)
     FrameVerdict(
-      // The reference's own picture need not be squeezed into RGB565.
-      picture = if (model.isEmpty) reference else Picture.ofRgb565(rendered.image),
+      picture,
       reference,
-      endToEndPicture,
+      snappingPicture,
       logs.map(_.length.toLong).sum,
       Option.when(simulated)(image.indices.count(i => image(i) != rendered.image(i)).toLong),
       Option.when(model.isDefined)(judgeModel(frame, logs, memory)),
-      endToEnd
+      snapping,
+      view.map(EndToEndJudge.judge(_, frame, logs, picture))
     )
   }
 

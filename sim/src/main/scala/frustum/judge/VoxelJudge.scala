@@ -1,11 +1,12 @@
 package frustum.judge
 
-import frustum.contract.voxel.{LeapField, VoxelCamera}
+import frustum.contract.voxel.{LeapField, VoxelCamera, VoxelConfig}
 import frustum.driver.voxel.VoxelView
 import frustum.model.voxel.march.{Marcher, RayStart}
 import frustum.model.voxel.{VoxelModel, VoxelPixel}
 import frustum.model.voxel.world.LeapWords
-import frustum.reference.voxel.{ExactMarch, IdealVoxelPicture}
+import frustum.referee.{Vec, VoxelRays, WorldBlocks}
+import frustum.reference.voxel.ExactMarch
 
 /** What was found over all rays of a picture, or of several.
   *
@@ -43,13 +44,14 @@ final case class VoxelCounts(
 /** Holds the model's rays against exact marching with the same directions, and their directions against the ideal ones. */
 final class VoxelJudge(model: VoxelModel) {
   import model.{assets, config, world}
+  private val blocks = new WorldBlocks(world)
   private val plain =
     new Marcher(config.copy(leaps = LeapField.Plain), assets.table, LeapWords(world, LeapField.Plain))
 
   def ray(camera: VoxelCamera, pixel: VoxelPixel): VoxelCounts = {
     val direction = VoxelJudge.direction(pixel.ray, config.slopeBits)
     val exact =
-      new ExactMarch(config, assets.table, world, camera.eye.axes, direction, pixel.ray.mirrored).march()
+      new ExactMarch(config, assets.table, blocks, camera.eye.axes, direction, pixel.ray.mirrored).march()
     def differs(same: (Int, Int) => Boolean) =
       exact.length != pixel.seen.length || !exact.indices.forall(i => same(i, i))
     val block = differs((i, k) => exact(i).sameBlock(pixel.seen(k)))
@@ -61,16 +63,29 @@ final class VoxelJudge(model: VoxelModel) {
 
   /** All of a picture, the directions' errors with it. */
   def picture(camera: VoxelCamera, view: VoxelView, pixels: IndexedSeq[VoxelPixel]): VoxelCounts = {
-    val ideal = new IdealVoxelPicture(config, assets, world, view)
+    val ideal = VoxelJudge.rays(view, config)
     pixels.indices.foldLeft(VoxelCounts()) { (sum, n) =>
-      val direction = VoxelJudge.direction(pixels(n).ray, config.slopeBits).map(_.toDouble)
-      val error = ideal.directionError(n % config.width, n / config.width, direction)
+      val error = VoxelJudge.error(ideal, n % config.width, n / config.width, pixels(n).ray, config)
       sum + ray(camera, pixels(n)).copy(maxDirectionErrorPixels = error)
     }
   }
 }
 
 object VoxelJudge {
+
+  /** The ideal rays of what the user asked for. */
+  def rays(view: VoxelView, c: VoxelConfig): VoxelRays = {
+    val eye = Vec(view.eye)
+    view.asked.fold(VoxelRays.ofAngles(eye, view.yaw, view.pitch, view.focal, c.width, c.height))(along =>
+      VoxelRays.ofDirection(eye, Vec(along), view.focal, c.width, c.height)
+    )
+  }
+
+  /** How far the ray of pixel (i, j) lies from the ideal one, in pixels. */
+  def error(ideal: VoxelRays, i: Int, j: Int, ray: RayStart, c: VoxelConfig): Double = {
+    val Seq(x, y, z) = direction(ray, c.slopeBits).map(_.toDouble)
+    ideal.error(i, j, Vec(x, y, z))
+  }
 
   /** The direction that a ray really has. */
   def direction(ray: RayStart, slopeBits: Int): Seq[Long] = {

@@ -138,7 +138,7 @@ object SceneSweeps {
     val triangle = Triangle(vertices(0), vertices(1), vertices(2), 0)
     val camera = Camera(origin, ahead, up, 60, 1, 4, Some(1.0))
     val wrong =
-      judged(prepare(IndexedSeq(triangle), plain.take(1), camera)).endToEnd.coverageWrong
+      judged(prepare(IndexedSeq(triangle), plain.take(1), camera)).snapping.coverageWrong
     100.0 * wrong / (config.width * config.height)
   }
 

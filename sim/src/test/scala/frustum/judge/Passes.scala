@@ -109,5 +109,13 @@ object Passes {
   }
 
   def frame(passes: FramePass*): PreparedFrame =
-    PreparedFrame(config, Seq(upload), passes, IndexedSeq.empty, passes.map(_.triangles.length).sum, 0)
+    PreparedFrame(
+      config,
+      Seq(upload),
+      passes,
+      IndexedSeq.empty,
+      passes.map(_.triangles.length).sum,
+      0,
+      passes.map(_.triangles.indices)
+    )
 }

@@ -1,8 +1,8 @@
 package frustum.command.budgets
 
-import frustum.budgets.Measured
+import frustum.budgets.{Budget, Measured}
 import frustum.command.pong.PongScenes
-import frustum.command.render.{RenderReport, SceneRun}
+import frustum.command.render.{EndToEndBounds, RenderReport, SceneRun}
 import frustum.command.voxel.{VoxelDrawn, VoxelOptions, VoxelReport, VoxelRun, VoxelScenes}
 import frustum.contract.raster.RasterConfig
 import frustum.contract.video.VideoMode
@@ -18,12 +18,13 @@ import frustum.scene.Scenes
 object BudgetMeasures {
 
   /** Names of what can be measured. */
-  val scenes: Seq[String] = Scenes.names ++ Seq("pong", "voxel")
+  val scenes: Seq[String] = Budget.AnyPicture +: (Scenes.names ++ Seq("pong", "voxel"))
 
   def apply(scene: String): Seq[Measured] = scene match {
-    case "pong"  => pong()
-    case "voxel" => voxel()
-    case _       => raster(scene)
+    case Budget.AnyPicture => AnyPictures.measured()
+    case "pong"            => pong()
+    case "voxel"           => voxel()
+    case _                 => raster(scene)
   }
 
   private val rasterMetrics = Seq(
@@ -36,16 +37,17 @@ object BudgetMeasures {
       "depthOrderWrong",
       "psnr"
     ),
-    "endToEnd" -> Seq("coverageWrong", "texelsWrong", "psnr", "flip")
+    "snapping" -> Seq("coverageWrong", "texelsWrong", "psnr", "flip")
   )
 
   private def raster(name: String): Seq[Measured] = {
     val run =
       SceneRun.still(Scenes.byName(name), RasterConfig(), Engines.byName("model"), EngineOptions(1, None))
-    val report = RenderReport.json("budgets", 1, run.figures((_, _) => ()))
+    val figures = run.figures((_, _) => ())
+    val report = RenderReport.json("budgets", 1, figures)
     val still = for ((group, metrics) <- rasterMetrics; metric <- metrics)
       yield Measured(name, s"$group.$metric", InfinityAsNull.read(report(group)(metric)))
-    still ++ pan(name)
+    still ++ figures.endToEnd.toSeq.flatMap(EndToEndBounds.ofScene(name, _)) ++ pan(name)
   }
 
   /** Panned by 1/16 pixel from picture to picture. */

@@ -20,6 +20,7 @@ object ReportTable {
     "PSNR dB" -> (r =>
       if (r.obj.contains("psnr")) decimal(r, "psnr") else decimal(r, "modelVsReference", "psnr")
     ),
+    "end to end wrong" -> endToEnd,
     "end to end PSNR dB" -> (r => decimal(r, "endToEnd", "psnr")),
     "FLIP" -> (r => value(r, "endToEnd", "flip").fold("-")(v => format("%.4f", v.num)))
   )
@@ -57,6 +58,12 @@ object ReportTable {
     ).flatMap(value(r, _))
     if (keys.isEmpty) "-" else format("%,.0f", keys.map(_.num).sum)
   }
+
+  /** Primitives and texels that the referee finds wrong. */
+  private def endToEnd(r: ujson.Obj) =
+    if (r.obj.contains("endToEnd"))
+      s"${whole(r, "endToEnd", "primitiveWrong")} + ${whole(r, "endToEnd", "texelsWrong")}"
+    else "-"
 
   private def texels(r: ujson.Obj) = (for {
     wrong <- value(r, "modelVsReference", "texelsWrong")

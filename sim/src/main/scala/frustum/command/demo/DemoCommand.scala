@@ -1,11 +1,12 @@
 package frustum.command.demo
 
 import frustum.command.common.{Arguments, CommandLine, ReportTable}
-import frustum.command.render.{RenderReport, SceneRun}
+import frustum.command.render.{EndToEndBounds, RenderReport, SceneFigures, SceneRun}
 import frustum.command.voxel.VoxelRun
 import frustum.contract.raster.RasterConfig
 import frustum.engine.raster.{EngineOptions, Engines}
 import frustum.files.OutputFile
+import frustum.picture.Picture
 import frustum.scene.Scenes
 import scopt.OParser
 import java.nio.file.{Path, Paths}
@@ -49,9 +50,11 @@ object DemoCommand extends CommandLine {
     val shown = for (sceneName <- Scenes.names) yield {
       val scene = Scenes.byName(sceneName)
       val run = SceneRun.still(scene, config, entry, EngineOptions(o.seed, None))
-      val figures = run.figures((_, v) =>
+      val figures = run.figures { (_, v) =>
         DemoPictures.write(o.out, sceneName, config.width, config.height, v.picture, v.reference)
-      )
+        for (e <- v.endToEnd)
+          Picture.writePng(o.out.resolve(s"$sceneName.referee.png"), config.width, config.height, e.picture)
+      }
       val report = RenderReport.json(name, o.seed, figures)
       OutputFile.writeText(o.out.resolve(s"$sceneName.json"), ujson.write(report, indent = 2) + "\n")
       (figures, report)
@@ -64,6 +67,11 @@ object DemoCommand extends CommandLine {
     OutputFile.writeText(o.out.resolve("index.html"), DemoPage(o.out, reports))
     println(ReportTable(reports))
     println(s"wrote ${o.out.resolve("index.html")}")
-    (shown.map { case (f, _) => f.verdict(o.out.resolve(s"${f.scene}.json")) } ++ others.map(_._2)).max
+    (shown.map { case (f, _) => f.verdict(o.out.resolve(s"${f.scene}.json"), beyondBounds(f)) } ++ others.map(_._2)).max
+  }
+
+  /** The bounds of a scene are those of the hardware; the float64 reference has those of any picture. */
+  private def beyondBounds(f: SceneFigures): Seq[String] = f.endToEnd.toSeq.flatMap { e =>
+    EndToEndBounds.failures(if (f.model.isEmpty) EndToEndBounds.ofAny(e) else EndToEndBounds.ofScene(f.scene, e), e)
   }
 }

@@ -88,14 +88,17 @@ object FitReport {
       ),
       "scala" -> scala(r.features)
     )
-    for (m <- referee)
-      report("referee") = ujson.Obj(
-        "renderer" -> "llvmpipe",
-        "views" -> m.views,
-        "viewsOver" -> m.over,
-        "texelsWrongPercent" -> m.texelsWrong,
-        "primitivesWrongPercent" -> m.primitivesWrong
-      )
+    def judged(m: Referee) = ujson.Obj(
+      "renderer" -> "llvmpipe",
+      "views" -> m.views,
+      "viewsOver" -> m.over,
+      "texelsWrongPercent" -> m.texelsWrong,
+      "primitivesWrongPercent" -> m.primitivesWrong
+    )
+    for (m <- referee) {
+      report("referee") = judged(m)
+      m.fromWorld.foreach(w => report("endToEnd") = judged(w))
+    }
     costs.foreach { k =>
       report("logicCells") = cells(k.fitted)
       report("fullPresetLogicCells") = cells(k.full)

@@ -57,7 +57,7 @@ object RenderCommand extends CommandLine {
     )
     OutputFile.writeText(report, ujson.write(RenderReport.json(name, o.seed, figures), indent = 2) + "\n")
     println(s"wrote ${if (o.frames > 1) s"$out, ${o.frames} frames" else out} and $report")
-    figures.verdict(report)
+    figures.verdict(report, figures.endToEnd.toSeq.flatMap(e => EndToEndBounds.failures(EndToEndBounds.ofAny(e), e)))
   }
 
   private def numbered(out: Path, frame: Int): Path =

@@ -4,6 +4,7 @@ import frustum.boards.Tops
 import frustum.BuildInfo
 import frustum.command.common.Clock
 import frustum.files.{InfinityAsNull, Notices}
+import frustum.referee.EndToEnd
 import java.nio.file.{Files, Path, Paths}
 import scala.util.Try
 
@@ -60,12 +61,34 @@ object RenderReport {
         "psnr" -> InfinityAsNull.write(f.psnr)
       )
     }
-    report("endToEnd") = ujson.Obj(
-      "coverageWrong" -> f.endToEnd.coverageWrong.toDouble,
-      "texelsWrong" -> f.endToEnd.texelsWrong.toDouble,
-      "psnr" -> InfinityAsNull.write(f.endToEndPsnr),
-      "flip" -> f.flip
+    val (snappingPsnr, snappingFlip) = f.overall(_.snappingDistance)
+    report("snapping") = ujson.Obj(
+      "coverageWrong" -> f.snapping.coverageWrong.toDouble,
+      "texelsWrong" -> f.snapping.texelsWrong.toDouble,
+      "psnr" -> InfinityAsNull.write(snappingPsnr),
+      "flip" -> snappingFlip
     )
+    f.endToEnd.foreach { e =>
+      val own = endToEnd(e.counts, e.distance)
+      if (e.counts.referee != e.world.referee) own("world") = endToEnd(e.world, e.worldDistance)
+      report("endToEnd") = own
+    }
     report
+  }
+
+  private def endToEnd(c: EndToEnd, distance: (Option[Double], Double)): ujson.Obj = {
+    val counts = ujson.Obj(
+      "referee" -> c.referee,
+      "judged" -> c.judged.toDouble,
+      "primitiveWrong" -> c.primitiveWrong.toDouble,
+      "texelsWrong" -> c.texelsWrong.toDouble,
+      "primitiveUnexplained" -> c.primitiveUnexplained.toDouble,
+      "texelsUnexplained" -> c.texelsUnexplained.toDouble,
+      "colorWrong" -> c.colorWrong.toDouble,
+      "psnr" -> InfinityAsNull.write(distance._1),
+      "flip" -> distance._2
+    )
+    if (c.referee != EndToEnd.World) counts("refereesDiffer") = c.refereesDiffer.toDouble
+    counts
   }
 }

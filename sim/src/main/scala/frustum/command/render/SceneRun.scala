@@ -7,7 +7,7 @@ import frustum.driver.scene.{Camera, Scene}
 import frustum.engine.raster.{EngineEntry, EngineOptions, Engines}
 import frustum.driver.scene.Notice
 import frustum.files.Notices
-import frustum.judge.{FrameJudge, FrameVerdict}
+import frustum.judge.{EndToEndJudge, FrameJudge, FrameVerdict}
 
 /** A scene on its way through driver, engine and judges.
   *
@@ -46,7 +46,7 @@ final case class SceneRun(
     val progress = Progress(scene.name, frames)
     val verdicts =
       try prepared.zip(rendered).zipWithIndex.map { case ((frame, drawn), i) =>
-          val verdict = judge.judge(frame, drawn)
+          val verdict = judge.judge(frame, drawn, Some(EndToEndJudge.view(scene, camera, turned(i), config)))
           each(i, verdict)
           progress.step()
           FrameFigures(frame, drawn, verdict)

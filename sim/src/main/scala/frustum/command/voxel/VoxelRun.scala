@@ -85,7 +85,7 @@ final class VoxelRun(
       for (view <- views) each(drawn(view, (_, colors) => None -> colors))
     case _ =>
       for (view <- views) {
-        val ideal = new IdealVoxelPicture(config, assets, world, view).picture()
+        val ideal = new IdealVoxelPicture(config, assets, world, VoxelJudge.rays(view, config)).picture()
         each(VoxelDrawn(ideal, ideal, None, None, None))
       }
   }
@@ -128,7 +128,7 @@ final class VoxelRun(
     val (measured, picture) = take(camera, pixels.map(_.color).toArray)
     VoxelDrawn(
       picture,
-      new IdealVoxelPicture(config, assets, world, view).picture(),
+      new IdealVoxelPicture(config, assets, world, VoxelJudge.rays(view, config)).picture(),
       Some(judge.picture(camera, view, pixels)),
       measured.map(_._1),
       measured.map(_._2)

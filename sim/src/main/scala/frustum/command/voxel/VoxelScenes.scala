@@ -61,7 +61,7 @@ object VoxelScenes {
           if (look.length == 0) throw InputError("--look 0,0,0: has no direction; give another one")
           VoxelView.angles(look)
         }
-        val view = VoxelView(o.eye.getOrElse(standing(world)), yaw, pitch, focal)
+        val view = VoxelView(o.eye.getOrElse(standing(world)), yaw, pitch, focal, o.look)
         view.camera(config)
         Seq(view)
     }

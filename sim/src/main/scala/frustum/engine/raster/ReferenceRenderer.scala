@@ -17,7 +17,7 @@ final class ReferenceRenderer(config: RasterConfig) extends PassRenderer {
       0,
       f => {
         val (s, t) = f.texel.getOrElse((0, 0))
-        probe.foreach(_.fragment(f.triangle, f.x, f.y, s, t, f.at.z.round.toInt.max(0).min(65535)))
+        probe.foreach(_.fragment(f.triangle, f.x, f.y, s, t, f.at.z.round.toInt.max(0).min(65535), f.drawn))
       }
     )
     val (drawn, rect) = (target.rgb565, PixelRect.of(pass.region, config))

@@ -35,11 +35,11 @@ final class RasterModel(config: RasterConfig) extends PassRenderer {
             a: Int
         ): Unit = {
           f.x = x; f.y = y; f.s = s; f.t = t; f.q = q; f.z = z; f.r = r; f.g = g; f.b = b; f.a = a
+          val drawn = stages.draw(f, state)
           probe.foreach { p =>
             val texel = if (state.combine == Combine.ColorOnly) 0 else TextureUnit.texel(divide, s, t, q, state)
-            p.fragment(n, originX + x, originY + y, texel & 255, texel >> 8, Fragment.depth(z))
+            p.fragment(n, originX + x, originY + y, texel & 255, texel >> 8, Fragment.depth(z), drawn)
           }
-          stages.draw(f, state)
         }
         def tileEnd(tileX: Int, tileY: Int): Unit = stages.resolve(tileX, tileY, into)
       }

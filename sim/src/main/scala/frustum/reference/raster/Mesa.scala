@@ -1,17 +1,14 @@
 package frustum.reference.raster
 
 import frustum.contract.raster.{FramePass, RasterConfig, RenderState}
-import frustum.files.OutputFile
-import java.nio.file.{Files, Path}
 import java.util.Locale
-import scala.sys.process.{ProcessLogger, stringSeqToProcess}
 
 /** Mesa's llvmpipe, off-screen, as a referee: another renderer, in float32, that snaps to 1/256 pixel, so that our vertices, on
   * 1/16, are on its grid as well.
   *
-  * @param program `draw.c` of the resources, compiled
+  * @param program `draw.c` of the resources
   */
-final class Mesa(program: Path) {
+final class Mesa(program: MesaProgram) {
 
   /** Index of the triangle that shows at each pixel, rows from the top, -1 where there is none.
     *
@@ -34,28 +31,11 @@ final class Mesa(program: Path) {
     }
     def flag(b: Boolean) = if (b) 1 else 0
     val size = s"${config.width} ${config.height} ${flag(textured)} ${flag(depth)} ${pass.triangles.length}"
-    val bytes = run((size +: lines).mkString("\n"))
+    val bytes = program.run((size +: lines).mkString("\n"))
     Array.tabulate(config.width * config.height) { i =>
       val at = 4 * ((config.height - 1 - i / config.width) * config.width + i % config.width)
       (0 until 3).foldLeft(0)((c, k) => c << 8 | bytes(at + k) & 255)
     }
-  }
-
-  /** By files, because pipes of scala.sys.process lose the last kilobyte at times. */
-  private def run(input: String): Array[Byte] = {
-    val files = Seq("in", "out", "err").map(Files.createTempFile("mesa", _))
-    val Seq(from, to, errors) = files
-    try {
-      Files.writeString(from, input)
-      val builder = new ProcessBuilder(program.toString)
-      builder.environment.put("GALLIUM_DRIVER", "llvmpipe")
-      val code =
-        builder.redirectInput(from.toFile).redirectOutput(to.toFile).redirectError(errors.toFile).start().waitFor()
-      val about = Files.readString(errors)
-      if (code != 0 || !about.contains("llvmpipe"))
-        throw new IllegalStateException(s"Mesa ended with $code and said: $about")
-      Files.readAllBytes(to)
-    } finally files.foreach(Files.delete)
   }
 
   private def words(s: RenderState): String = {
@@ -69,14 +49,5 @@ object Mesa {
   val Missing = "Mesa is not here: install libosmesa6-dev and gcc for this cross-check"
 
   /** None where Mesa or a C compiler is missing. */
-  lazy val found: Option[Mesa] = {
-    val folder = Files.createDirectories(Path.of(".cache", "mesa")).toAbsolutePath
-    val source = getClass.getResourceAsStream("/mesa/draw.c").readAllBytes()
-    OutputFile.write(folder.resolve("draw.c"))(part => Files.write(part, source))
-    val command = Seq("gcc", "-O1", "-o", s"$folder/draw", s"$folder/draw.c", "-lOSMesa")
-    val built =
-      try command.!(ProcessLogger(_ => ())) == 0
-      catch { case _: java.io.IOException => false }
-    Option.when(built)(new Mesa(folder.resolve("draw")))
-  }
+  lazy val found: Option[Mesa] = MesaProgram.compiled("draw").map(new Mesa(_))
 }

@@ -20,16 +20,18 @@ final class ReferenceFrame(val config: RasterConfig) {
       color(i) = to; depth(i) = ScreenVertex.DepthMax; winner(i) = -1; nearest(i) = -1
     }
 
-  /** Alpha test, depth test, blend and write of one fragment. */
-  def write(triangle: Int, x: Int, y: Int, z: Double, source: Rgba, state: RenderState): Unit = {
+  /** Alpha test, depth test, blend and write of one fragment; true if it passed the tests. */
+  def write(triangle: Int, x: Int, y: Int, z: Double, source: Rgba, state: RenderState): Boolean = {
     val i = y * config.width + x
     val passes =
       if (z < depth(i)) state.depth.less else if (z == depth(i)) state.depth.equal else state.depth.greater
-    if (Shading.passesAlphaTest(state, source.a) && passes) {
+    val drawn = Shading.passesAlphaTest(state, source.a) && passes
+    if (drawn) {
       if (state.depthWrite) { depth(i) = z; nearest(i) = triangle }
       winner(i) = triangle
       color(i) = if (state.blend) blend(source, color(i)) else source
     }
+    drawn
   }
 
   /** source * alpha + destination * (1 - alpha). */

@@ -3,14 +3,17 @@ package frustum.reference.raster
 import frustum.contract.raster.{FramePass, RenderState, TextureUpload}
 import frustum.driver.raster.PreparedFrame
 
-/** A covered pixel of the reference, before any test. `texel` is after wrapping, None without a texture. */
+/** A covered pixel of the reference. `texel` is after wrapping, None without a texture; `drawn` when it passed the tests of its
+  * alpha and depth.
+  */
 final case class ReferenceFragment(
     triangle: Int,
     x: Int,
     y: Int,
     at: Attributes,
     texel: Option[(Int, Int)],
-    state: RenderState
+    state: RenderState,
+    drawn: Boolean
 )
 
 /** Draws frames in float64 from the textbook: homogeneous coordinates, perspective-exact texture coordinates,
@@ -92,8 +95,8 @@ object ReferenceRaster {
     coverage.foreach(rect) { (x, y) =>
       val at = attributes(x, y)
       val texel = Shading.texelOf(state, at)
-      watch(ReferenceFragment(index, x, y, at, texel, state))
-      target.write(index, x, y, at.z, Shading.color(state, memory, at, texel), state)
+      val drawn = target.write(index, x, y, at.z, Shading.color(state, memory, at, texel), state)
+      watch(ReferenceFragment(index, x, y, at, texel, state, drawn))
     }
   }
 }

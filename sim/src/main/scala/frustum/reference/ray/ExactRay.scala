@@ -30,8 +30,9 @@ class ExactRay(scene: RayScene) {
 
   def apply(motion: RayMotion, h: Int, v: Int): ExactPixel = {
     val camera = motion.cameraOf(scene)
-    val d = big(camera.direction(h, v))
     val e = big(camera.eye)
+    // The ray of a pixel as docs/rays.md defines it: corner + h right + v down.
+    val d = (0 to 2).map(a => BigInt(camera.corner(a)) + BigInt(camera.right(a)) * h + BigInt(camera.down(a)) * v)
     val hits = motion.spheres.indices.flatMap { i =>
       val (a, b, q) = sphere(e, d, big(motion.spheres(i)), scene.spheres(i).radius)
       // Both roots positive: the eye is outside, so their product is.

@@ -1,7 +1,7 @@
 package frustum.reference.voxel
 
 import frustum.contract.voxel.{BlockTable, SeenFace, VoxelConfig}
-import frustum.scene.VoxelWorld
+import frustum.referee.WorldBlocks
 
 /** A ray from an eye through the world, block by block, in whole numbers and therefore exact.
   *
@@ -15,7 +15,7 @@ import frustum.scene.VoxelWorld
 final class ExactMarch(
     c: VoxelConfig,
     table: BlockTable,
-    world: VoxelWorld,
+    world: WorldBlocks,
     eye: Seq[Int],
     direction: Seq[Long],
     down: Seq[Boolean]

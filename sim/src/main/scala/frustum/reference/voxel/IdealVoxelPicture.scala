@@ -1,13 +1,14 @@
 package frustum.reference.voxel
 
 import frustum.contract.voxel.{VoxelAssets, VoxelConfig}
-import frustum.driver.voxel.VoxelView
+import frustum.referee.{VoxelRays, WorldBlocks}
 import frustum.scene.VoxelWorld
-import scala.math.{floor, sqrt}
+import scala.math.floor
 
 /** The picture in float64: ideal directions, distances in a straight line, colours that are nowhere rounded. */
-final class IdealVoxelPicture(c: VoxelConfig, assets: VoxelAssets, world: VoxelWorld, view: VoxelView) {
-  private val eye = Array(view.eye.x, view.eye.y, view.eye.z)
+final class IdealVoxelPicture(c: VoxelConfig, assets: VoxelAssets, blocks: VoxelWorld, rays: VoxelRays) {
+  private val world = new WorldBlocks(blocks)
+  private val eye = Array(rays.eye.x, rays.eye.y, rays.eye.z)
   private val sky = channels(c.sky)
 
   private def channels(rgb: Int) = Array(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255).map(_.toDouble)
@@ -16,7 +17,7 @@ final class IdealVoxelPicture(c: VoxelConfig, assets: VoxelAssets, world: VoxelW
   def picture(): Array[Int] = Array.tabulate(c.pixels)(i => pixel(i % c.width, i / c.width))
 
   def pixel(i: Int, j: Int): Int = {
-    val ray = view.direction(i, j, c)
+    val ray = rays.direction(i, j)
     val d = Array(ray.x, ray.y, ray.z)
     val step = d.map(x => if (x < 0) -1 else 1)
     val block =
@@ -53,20 +54,5 @@ final class IdealVoxelPicture(c: VoxelConfig, assets: VoxelAssets, world: VoxelW
       }
     }
     (0 to 2).map(k => (color(k) + clear * sky(k)).round.toInt.max(0).min(255)).foldLeft(0)(_ << 8 | _)
-  }
-
-  /** How far a direction, of any length, lies from the ideal one of a pixel, in pixels on the screen. */
-  def directionError(i: Int, j: Int, direction: Seq[Double]): Double = {
-    def onScreen(x: Double, y: Double, z: Double) = {
-      val depth = x * view.look.x + y * view.look.y + z * view.look.z
-      (
-        view.focal * (x * view.right.x + y * view.right.y) / depth,
-        view.focal * (x * view.up.x + y * view.up.y + z * view.up.z) / depth
-      )
-    }
-    val (x, y) = onScreen(direction(0), direction(1), direction(2))
-    val dx = x - (i + 0.5 - c.width / 2.0)
-    val dy = y - (c.height / 2.0 - j - 0.5)
-    sqrt(dx * dx + dy * dy)
   }
 }

@@ -25,6 +25,7 @@ class DriverTest extends AnyFunSuite {
   test("back faces are culled on request") {
     val p = prepare(scene(Seq(back, front)), options.copy(cullBack = true))
     assert((p.sceneTriangles, p.trianglesDrawn, areas(p).length) == ((2, 1, 1)))
+    assert(p.clipTriangles.map(_.source) == Seq(1), "the front face is the one that stays")
   }
 
   test("triangles without area are not drawn") {

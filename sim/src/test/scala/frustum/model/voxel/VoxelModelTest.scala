@@ -81,10 +81,10 @@ class VoxelModelTest extends AnyFunSuite {
       Seq.fill(40)((random.nextDouble() * 360, random.nextDouble() * 180 - 90)).map { case (yaw, pitch) =>
         val view = VoxelView(new Vector3d(32, 32, 16), yaw, pitch, 225)
         val camera = view.camera(c)
-        val ideal = new frustum.reference.voxel.IdealVoxelPicture(c, Blocks.assets, model.world, view)
+        val ideal = VoxelJudge.rays(view, c)
         (for (j <- 0 until c.height by 7; i <- 0 until c.width by 7) yield {
           val ray = VoxelRaySetup(camera.eye.axes, camera.direction(i, j), c)
-          ideal.directionError(i, j, VoxelJudge.direction(ray, c.slopeBits).map(_.toDouble))
+          VoxelJudge.error(ideal, i, j, ray, c)
         }).max
       }.max
     info(f"largest error $worst%.4f pixels")

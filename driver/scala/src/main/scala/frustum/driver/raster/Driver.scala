@@ -59,7 +59,15 @@ object Driver {
       val number = (frame * regions.length + i) & 0xffff
       FramePass(number, clear, region, states.states, vertices, indexed)
     }
-    PreparedFrame(config, textures.uploads, passes, drawn.map(_._1), scene.triangles.length, drawn.length)
+    PreparedFrame(
+      config,
+      textures.uploads,
+      passes,
+      drawn.map(_._1),
+      scene.triangles.length,
+      drawn.length,
+      regions.map(_._2.map(_.source))
+    )
   }
 
   /** The bytes of each wire command of a pass, in the order to send them. */
@@ -123,7 +131,10 @@ object Driver {
     else triangles.map(t => t.copy(v = t.v.map(v => v.copy(clip = new Vector4d(v.clip).mul(scale)))))
   }
 
-  /** Snaps a triangle to the screen and turns it clockwise; None when it is not to be drawn. */
+  /** Snaps a triangle to the screen and turns it clockwise; None when it is not to be drawn. Its front is seen where it
+    * turns counter-clockwise in window coordinates, whose y points upwards (OpenGL 2.1, 3.5.1): on the screen, whose y
+    * points downwards, the area is negative there.
+    */
   private def place(
       t: ClipTriangle,
       state: Int,
@@ -135,7 +146,7 @@ object Driver {
     val turned = if (area < 0) t.copy(v = IndexedSeq(t.v(0), t.v(2), t.v(1))) else t
     for {
       pixels <- viewport.pixels(corners(t, (0, 0)))
-      if area > 0 || (area < 0 && !cullBack)
+      if area < 0 || (area > 0 && !cullBack)
     } yield {
       val p = corners(turned, RepeatRemoval.offset(turned))
       p.flatMap(_.fault)
@@ -146,7 +157,7 @@ object Driver {
           s"a triangle: $fault, beyond what this hardware was made for; build it for the scene (./sbt fit)"
         )
       )
-      (turned, PackedCorners(state, p(0), p(1), p(2), pixels, back = area > 0))
+      (turned, PackedCorners(state, p(0), p(1), p(2), pixels, t.source, back = area > 0))
     }
   }
 

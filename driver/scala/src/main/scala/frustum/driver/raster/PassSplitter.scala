@@ -6,6 +6,7 @@ import frustum.contract.raster.{PackedVertex, RasterConfig, TileRegion}
 /** A triangle ready to be stored.
   *
   * @param pixels whose centres lie in its bounding box
+  * @param source which triangle of the scene it is, or is a part of
   * @param back   its back is seen
   */
 final case class PackedCorners(
@@ -14,6 +15,7 @@ final case class PackedCorners(
     v1: PackedVertex,
     v2: PackedVertex,
     pixels: PixelBox,
+    source: Int = 0,
     back: Boolean = false
 ) {
   def vertices: Seq[PackedVertex] = Seq(v0, v1, v2)

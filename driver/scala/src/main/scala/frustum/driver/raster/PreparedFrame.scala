@@ -49,6 +49,8 @@ final case class ClipTriangle(v: IndexedSeq[ClipVertex], state: RenderState, sou
   *   triangles of the scene, before clipping
   * @param trianglesDrawn
   *   triangles after clipping and culling, each counted once however many passes draw it
+  * @param sources
+  *   for each triangle of each pass, which of the scene's it is, or is a part of
   */
 final case class PreparedFrame(
     config: RasterConfig,
@@ -56,5 +58,6 @@ final case class PreparedFrame(
     passes: Seq[FramePass],
     clipTriangles: IndexedSeq[ClipTriangle],
     sceneTriangles: Int,
-    trianglesDrawn: Int
+    trianglesDrawn: Int,
+    sources: Seq[IndexedSeq[Int]]
 )

@@ -9,8 +9,9 @@ import scala.math.{cos, sin, toRadians}
 /** A pose in a voxel world: eye in blocks, angles in degrees; yaw 0 looks along +x, 90 along +y, pitch 90 up.
   *
   * @param focal pixels from the eye to the screen
+  * @param asked the direction to look along, where the user gave one in place of angles
   */
-final case class VoxelView(eye: Vector3d, yaw: Double, pitch: Double, focal: Double) {
+final case class VoxelView(eye: Vector3d, yaw: Double, pitch: Double, focal: Double, asked: Option[Vector3d] = None) {
   private val (cy, sy) = (cos(toRadians(yaw)), sin(toRadians(yaw)))
   private val (cp, sp) = (cos(toRadians(pitch)), sin(toRadians(pitch)))
   val look = new Vector3d(cy * cp, sy * cp, sp)

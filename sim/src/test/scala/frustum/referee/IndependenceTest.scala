@@ -1,0 +1,49 @@
+package frustum.referee
+
+import org.scalatest.funsuite.AnyFunSuite
+import java.nio.file.{Files, Path, Paths}
+import scala.jdk.CollectionConverters._
+
+/** A referee that is fed by the code it judges cannot see that code's faults. */
+class IndependenceTest extends AnyFunSuite {
+
+  /** The input as it was read, the names of its options, and the way to run a C program. */
+  private val allowed = Seq(
+    "frustum.driver.scene.{Camera, Scene}",
+    "frustum.driver.scene.{Material, MeshVertex, TextureImage}",
+    "frustum.driver.scene.{MeshVertex, TextureImage}",
+    "frustum.driver.scene.TextureImage",
+    "frustum.scene.VoxelWorld",
+    "frustum.contract.raster.Wrap",
+    "frustum.contract.raster.Combine",
+    "frustum.contract.raster.{Combine, Wrap}",
+    "frustum.reference.raster.MesaProgram",
+    "org.joml.Vector3d",
+    "java.util.Locale"
+  )
+
+  private def sources(folder: String): Seq[Path] = {
+    val files = Files.list(Paths.get(s"sim/src/main/scala/frustum/$folder")).iterator.asScala.toSeq
+    assert(files.nonEmpty, folder)
+    files
+  }
+
+  test("the referee imports the input and nothing of the driver, the models or the references") {
+    for (file <- sources("referee"); line <- Files.readAllLines(file).asScala.map(_.trim)) {
+      val what = line.stripPrefix("import ")
+      if (line.startsWith("import frustum") || line.startsWith("import org") || line.startsWith("import java"))
+        assert(allowed.contains(what), s"$file: $line")
+      // Neither by a full name, nor the scene's own arithmetic, nor joml's.
+      assert(!what.matches(".*frustum\\.(driver\\.(raster|voxel|linear)|model|engine|judge|fit|budgets|charts|command).*"), s"$file: $line")
+      assert(!what.matches(".*(Matrix4d|boundingSphere|faceNormal|size\\.address).*"), s"$file: $line")
+    }
+  }
+
+  test("the references of rays and voxels import nothing of the driver or the models") {
+    for (
+      folder <- Seq("reference/ray", "reference/voxel"); file <- sources(folder);
+      line <- Files.readAllLines(file).asScala
+    )
+      assert(!line.matches(".*frustum\\.(driver|model|engine).*"), s"$file: $line")
+  }
+}
