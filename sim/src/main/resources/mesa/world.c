@@ -5,8 +5,8 @@
  *         at (3, as seen from the eye) up (3)
  *         turn (degrees about +y) middle (3, as seen from the eye)
  *         lit light (3, unit length, towards it)
- *         wrap (0 repeat, 1 clamp to edge, 2 mirrored repeat)
- *         count of textures, for each "width height hasAlpha" and its texels 0xAARRGGBB as numbers, rows from the bottom
+ *         count of textures, for each "width height hasAlpha wrap" (wrap 0 repeat, 1 clamp to edge,
+ *         2 mirrored repeat) and its texels 0xAARRGGBB as numbers, rows from the bottom
  *         count of triangles in the order of drawing, for each "id texture(-1 none) replace blend alphaTest(-1 none)" and
  *         three vertices "x y z nx ny nz s t r g b a", positions as seen from the eye
  * stdout: five drawings of width * height pixels RGBA, 8 bits each, rows from the bottom: the picture; of the opaque
@@ -55,8 +55,10 @@ static GLuint texture(int width, int height, GLint format, const unsigned char *
   return name;
 }
 
-static struct image image(GLint wrap) {
+static struct image image(void) {
+  static const GLint wraps[3] = {GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT};
   int width = number(), height = number(), has_alpha = number();
+  GLint wrap = wraps[(int)number()];
   unsigned char *colours = malloc(4 * (size_t)width * height), *coordinates = malloc(4 * (size_t)width * height);
   if (!colours || !coordinates) exit(2);
   for (int i = 0; i < width * height; i++) {
@@ -162,7 +164,6 @@ static void shine(const double *towards) {
 }
 
 int main(void) {
-  static const GLint wraps[3] = {GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT};
   int width = number(), height = number();
   unsigned background = number();
   int cull = number(), depth = number(), ortho = number();
@@ -174,7 +175,6 @@ int main(void) {
   numbers(middle, 3);
   int lit = number();
   numbers(light, 3);
-  GLint wrap = wraps[(int)number()];
 
   unsigned char *pixels = calloc((size_t)width * height, 4);
   OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, NULL);
@@ -182,7 +182,7 @@ int main(void) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   int image_count = number();
   struct image *images = malloc(sizeof *images * (image_count + 1));
-  for (int i = 0; i < image_count; i++) images[i] = image(wrap);
+  for (int i = 0; i < image_count; i++) images[i] = image();
   int count = number();
   struct triangle *triangles = malloc(sizeof *triangles * (count + 1));
   if (!images || !triangles) return 2;

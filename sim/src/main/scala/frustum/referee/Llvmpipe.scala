@@ -61,11 +61,10 @@ object Llvmpipe {
       case Some(l) => line(1.0 +: vector(Vec(l).unit): _*)
       case None    => line(0, 0, 0, 1)
     }
-    line(view.wrap match { case Wrap.Repeat => 0; case Wrap.Clamp => 1; case Wrap.Mirror => 2 })
-    val pictures = scene.materials.flatMap(_.texture).distinct
+    val pictures = scene.materials.flatMap(m => m.texture.map(_ -> view.wrapOf(m))).distinct
     line(pictures.length)
-    pictures.foreach { p =>
-      line(p.width, p.height, flag(p.hasAlpha))
+    pictures.foreach { case (p, wrap) =>
+      line(p.width, p.height, flag(p.hasAlpha), wrap match { case Wrap.Repeat => 0; case Wrap.Clamp => 1; case Wrap.Mirror => 2 })
       rowsFromBottom(p).foreach(row => line(row.map(c => c & 0xffffffffL): _*))
     }
     line(view.order.length)
@@ -74,7 +73,7 @@ object Llvmpipe {
       val m = scene.materials(t.material)
       line(
         i + 1,
-        textureOf(m).fold(-1)(pictures.indexOf(_)),
+        textureOf(m).fold(-1)(p => pictures.indexOf(p -> view.wrapOf(m))),
         flag(replaces(m, view)),
         flag(m.blend),
         m.alphaTest.getOrElse(-1.0)

@@ -1,6 +1,6 @@
 package frustum.referee
 
-import frustum.contract.raster.Combine
+import frustum.contract.raster.{Combine, Wrap}
 import frustum.driver.scene.{MeshVertex, TextureImage}
 import scala.math.floor
 
@@ -20,6 +20,7 @@ final class Surface(view: WorldView, space: EyeSpace, val index: Int) {
   val isBlended: Boolean = material.blend
   val alphaTest: Option[Double] = material.alphaTest
   val texture: Option[TextureImage] = material.texture.filter(_ => material.combine != Combine.ColorOnly)
+  val wrap: Wrap = view.wrapOf(material)
   private val replaces = material.combine == Combine.Replace && view.light.isEmpty
 
   /** Whether anything of it is to be drawn. */
@@ -72,8 +73,8 @@ final class Surface(view: WorldView, space: EyeSpace, val index: Int) {
   def texel(u: Double, v: Double): (Int, Int) = {
     val t = texture.get
     (
-      Texturing.wrapped(floor(u).toLong, t.width, view.wrap),
-      Texturing.wrapped(floor(v).toLong, t.height, view.wrap)
+      Texturing.wrapped(floor(u).toLong, t.width, wrap),
+      Texturing.wrapped(floor(v).toLong, t.height, wrap)
     )
   }
 

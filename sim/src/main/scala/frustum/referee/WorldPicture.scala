@@ -92,7 +92,7 @@ final class WorldPicture(val view: WorldView) {
         val margin = TexelMargin + s.extent.map(of).get / 65536
         val (least, most) = (reached.min - margin, reached.max + margin)
         most - least >= 2 * size || (scala.math.floor(least).toLong to scala.math.floor(most).toLong)
-          .exists(Texturing.wrapped(_, size, view.wrap) == index)
+          .exists(Texturing.wrapped(_, size, s.wrap) == index)
       }
       texel >= 0 && seenAlong(_._1, t.width, texel & 0xffff) && seenAlong(_._2, t.height, texel >> 16)
     }

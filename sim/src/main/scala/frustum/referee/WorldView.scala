@@ -1,7 +1,7 @@
 package frustum.referee
 
 import frustum.contract.raster.Wrap
-import frustum.driver.scene.{Camera, Scene}
+import frustum.driver.scene.{Camera, Material, Scene}
 import org.joml.Vector3d
 
 /** What a user asked for, and all that the referee knows of a picture.
@@ -42,6 +42,9 @@ final case class WorldView(
     def distance(i: Int) = scene.triangles(i).vertices.map(v => space.eye(v.position).z).sum
     opaque ++ blended.sortBy(i => -distance(i))
   }
+
+  /** A material's own way of wrapping goes before the one asked for all. */
+  def wrapOf(material: Material): Wrap = material.wrap.getOrElse(wrap)
 
   def isBlended(triangle: Int): Boolean = scene.materials(scene.triangles(triangle).material).blend
 }

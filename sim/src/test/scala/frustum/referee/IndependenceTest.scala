@@ -9,7 +9,7 @@ class IndependenceTest extends AnyFunSuite {
 
   /** The input as it was read, the names of its options, and the way to run a C program. */
   private val allowed = Seq(
-    "frustum.driver.scene.{Camera, Scene}",
+    "frustum.driver.scene.{Camera, Material, Scene}",
     "frustum.driver.scene.{Material, MeshVertex, TextureImage}",
     "frustum.driver.scene.{MeshVertex, TextureImage}",
     "frustum.driver.scene.TextureImage",

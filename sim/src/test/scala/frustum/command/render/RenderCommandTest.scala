@@ -2,10 +2,11 @@ package frustum.command.render
 
 import frustum.command.CommandRunner
 import frustum.command.common.Clock
+import frustum.budgets.{Budget, BudgetTable}
 import frustum.contract.raster.{RasterConfig, Wrap}
 import frustum.driver.raster.{DrawOptions, Driver}
 import frustum.engine.raster.{PassEngine, ReferenceRenderer, RenderedFrame}
-import frustum.judge.FrameJudge
+import frustum.judge.{EndToEndJudge, FrameJudge}
 import frustum.scene.Scenes
 import org.scalatest.funsuite.AnyFunSuite
 import java.nio.file.Files
@@ -42,7 +43,10 @@ class RenderCommandTest extends AnyFunSuite {
       )
     ) assert(report.obj.contains(key), key)
     for (key <- Seq("coverageWrong", "texelsWrong", "psnr", "flip"))
+      assert(report("snapping").obj.contains(key), key)
+    for (key <- Seq("primitiveWrong", "texelsWrong", "judged", "psnr", "flip"))
       assert(report("endToEnd").obj.contains(key), key)
+    assert(Seq("llvmpipe", "world").contains(report("endToEnd")("referee").str) && report("endToEnd")("judged").num > 2000)
     assert(Seq(
       "modelVsReference",
       "hardwareVsModel",
@@ -81,12 +85,13 @@ class RenderCommandTest extends AnyFunSuite {
     */
   private def figures(faults: Int): SceneFigures = {
     val scene = Scenes.cube
-    val frame =
-      Driver.prepare(scene, scene.camera, DrawOptions(None, cullBack = false, Wrap.Repeat, 0), small, 0)
+    val options = DrawOptions(None, cullBack = false, Wrap.Repeat, 0)
+    val frame = Driver.prepare(scene, scene.camera, options, small, 0)
+    val view = EndToEndJudge.view(scene, scene.camera, options, small)
     val drawn = new PassEngine(new ReferenceRenderer(_)).render(Seq(frame)).head
     for (i <- 0 until faults) drawn.image(i) ^= 1
     val timed = RenderedFrame(drawn.image, Some(5000), Some(9000), drawn.busBytes)
-    val verdict = new FrameJudge(Some(new ReferenceRenderer(_)), simulated = true).judge(frame, timed)
+    val verdict = new FrameJudge(Some(new ReferenceRenderer(_)), simulated = true).judge(frame, timed, Some(view))
     SceneFigures("cube", "hardware", small, Seq(FrameFigures(frame, timed, verdict)), 1.0)
   }
 
@@ -130,6 +135,24 @@ class RenderCommandTest extends AnyFunSuite {
     assert(figures(0).verdict(report) == 0)
     assert(figures(3).pixelsDifferent.contains(3L))
     Console.withErr(new java.io.ByteArrayOutputStream)(assert(figures(3).verdict(report) == 1))
+  }
+
+  test("a picture beyond the referee's bound is a failure with exit code 1") {
+    val good  = figures(0)
+    val e     = good.endToEnd.get
+    val table = Files.createTempFile("budgets", ".json")
+    BudgetTable(Seq(Budget(Budget.AnyPicture, "endToEnd.unexplainedPercent", bound = 0.05, today = 0))).write(table)
+    def beyond(wrong: Long) = {
+      val sum = e.copy(world = e.world.copy(primitiveUnexplained = wrong))
+      EndToEndBounds.failures(EndToEndBounds.ofAny(sum), sum, table)
+    }
+    assert(beyond(0).isEmpty && beyond(30).length == 1)
+    val apart = e.copy(counts = e.counts.copy(referee = "llvmpipe", refereesDiffer = e.counts.judged / 10))
+    assert(EndToEndBounds.failures(EndToEndBounds.ofAny(apart), apart, table).head.contains("llvmpipe and float64 differ"))
+    val report = java.nio.file.Paths.get("r.json")
+    val err    = new java.io.ByteArrayOutputStream
+    Console.withErr(err)(assert(good.verdict(report, beyond(30)) == 1))
+    assert(err.toString.startsWith("error: cube: end to end: unexplainedPercent is") && err.toString.linesIterator.length == 1)
   }
 
   test("an infinite PSNR is null") {
