@@ -29,7 +29,7 @@ object EngineSim {
   def nameOf(config: RasterConfig): String = {
     import config._
     s"${width}x${height}_${tileWidth}x${tileHeight}_${maxVertices}_${maxTriangles}_${textureTexels}_" +
-      f"${fixed.mask}%08x${fixed.value}%08x_${formats.coordinate}_${formats.depth}_${formats.color}_${formats.inverse}_" +
+      s"${fixed.code.filter(_.isLetterOrDigit)}_${formats.coordinate}_${formats.depth}_${formats.color}_${formats.inverse}_" +
       s"${ranges.position}_${ranges.repeats}_${ranges.ratio}_${clearColor.fold("any")(_.toString)}"
   }
 

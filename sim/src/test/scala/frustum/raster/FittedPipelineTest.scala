@@ -150,7 +150,9 @@ class FittedPipelineTest extends AnyFunSuite {
     assert(f.without("alpha test").fault(a.copy(alphaRef = 31)).isEmpty)
     assert(!f.neverBlends && FixedState.of(a).neverBlends && !FixedState.None.neverBlends)
     assert(FixedState.None.planes == SetupWords.AllPlanes)
-    intercept[IllegalArgumentException](FixedState(1, 2))
+    intercept[IllegalArgumentException](FixedState.None.bits("wrapS", mask = 1, value = 2))
+    intercept[IllegalArgumentException](FixedState.None.bits("wrapS", mask = 4, value = 0))
+    intercept[IllegalArgumentException](FixedState.fields("fog" -> 0))
     intercept[IllegalArgumentException](PlaneFormats(coordinate = 21))
   }
 }

@@ -6,7 +6,11 @@ import frustum.contract.raster.{
   PackedVertex,
   RasterConfig,
   RenderState,
+  RenderStateLayout,
   StoreLayout,
+  StoredState,
+  StoredTriangle,
+  StoredVertex,
   TileRegion
 }
 import frustum.device.Tech
@@ -59,19 +63,27 @@ class RasterizerTest extends AnyFunSuite with Simulated {
   /** Words of a bank of the store, as the decoder lays them down. */
   private def image(pass: FramePass, config: RasterConfig): Map[Int, BigInt] = {
     val layout = StoreLayout(config)
-    def word(parts: (Int, Int)*) = parts.foldLeft(BigInt(0)) { case (w, (v, bits)) =>
-      (w << bits) | (v & ((1L << bits) - 1))
-    }
+    def unsigned(words: Seq[Int]) = words.map(w => BigInt(w & 0xffffffffL))
     val vertices = for {
       (v, i) <- pass.vertices.zipWithIndex
-      (w, k) <- Seq(
-        word(v.x -> 16, v.y -> 16),
-        word(v.z -> 16, v.qMantissa -> 16),
-        word(v.qExponent -> 5, 0 -> 2, v.s -> 25),
-        word((pass.frame % 128) -> 7, v.t -> 25),
-        word(v.r -> 8, v.g -> 8, v.b -> 8, v.a -> 8)
-      ).zipWithIndex
-    } yield layout.vertexWords * i + k -> w
+      (w, k) <- unsigned {
+        import StoredVertex._
+        encode(
+          X -> v.x,
+          Y -> v.y,
+          Z -> v.z,
+          QMantissa -> v.qMantissa,
+          QExponent -> v.qExponent,
+          S -> v.s,
+          Tag -> pass.frame % 128,
+          T -> v.t,
+          R -> v.r,
+          G -> v.g,
+          B -> v.b,
+          A -> v.a
+        )
+      }.zipWithIndex
+    } yield layout.vertex(i, k) -> w
     val triangles = for ((t, i) <- pass.triangles.zipWithIndex) yield {
       val v = Seq(t.v0, t.v1, t.v2).map(pass.vertices)
       def tiles(at: PackedVertex => Int, size: Int, log2: Int) = {
@@ -85,14 +97,15 @@ class RasterizerTest extends AnyFunSuite with Simulated {
       val (x0, x1, noX) = tiles(_.x, config.width, config.tileLog2Width)
       val (y0, y1, noY) = tiles(_.y, config.height, config.tileLog2Height)
       val box = if (noX || noY) Seq(31, 0, 31, 0) else Seq(x0, x1, y0, y1)
-      Seq(
-        layout.triangles + 2 * i -> word(0 -> 2, t.v0 -> 10, t.v1 -> 10, t.v2 -> 10),
-        layout.triangles + 2 * i + 1 -> word((t.state -> 4) +: (0 -> 8) +: box.map(_ -> 5): _*)
-      )
+      import StoredTriangle.{box => boxFields, _}
+      val words = encode(Seq(V0 -> t.v0, V1 -> t.v1, V2 -> t.v2, State -> t.state) ++ boxFields.zip(box): _*)
+      unsigned(words).zipWithIndex.map { case (w, k) => layout.triangle(i, k) -> w }
     }
-    val states =
-      for ((s, i) <- pass.states.zipWithIndex) yield layout.states + i -> word(s.words(0) -> 16, s.words(1) -> 16)
-    (vertices ++ triangles.flatten ++ states).toMap
+    val states = for ((s, i) <- pass.states.zipWithIndex) yield {
+      val words = StoredState.encode(RenderStateLayout.fields.map(f => StoredState.of(f) -> f.of(s.words)): _*)
+      unsigned(words).zipWithIndex.map { case (w, k) => layout.state(i, k) -> w }
+    }
+    (vertices ++ triangles.flatten ++ states.flatten).toMap
   }
 
   private val benches = collection.mutable.Map.empty[Any, SimCompiled[RasterizerBench]]
@@ -132,7 +145,18 @@ class RasterizerTest extends AnyFunSuite with Simulated {
               b: Int,
               a: Int
           ): Unit =
-            expected += Seq(st.words(1), st.words(0), x, y, s, t, q, z, r, g, b, a).mkString(" ")
+            expected += (RenderStateLayout.fields.map(_.of(st.words)) ++ Seq(
+              x,
+              y,
+              s,
+              t,
+              q,
+              z,
+              r,
+              g,
+              b,
+              a
+            )).mkString(" ")
           def tileEnd(x: Int, y: Int): Unit = expected += "end"
         }
       )
@@ -149,13 +173,11 @@ class RasterizerTest extends AnyFunSuite with Simulated {
         StreamMonitor(dut.io.down, dut.clockDomain) { f =>
           got += (if (f.tileEnd.toBoolean) "end"
                   else {
-                    val bits = dut.io.state.asInstanceOf[Data].flatten.reverse.foldLeft(BigInt(0)) { (w, d) =>
-                      val width = d.getBitsWidth
-                      val value =
-                        d match { case b: Bool => BigInt(if (b.toBoolean) 1 else 0); case v: BitVector => v.toBigInt }
-                      (w << width) | value
-                    }
-                    (Seq((bits >> 16).toInt, (bits & 0xffff).toInt) ++ Seq(f.x, f.y).map(_.toInt) ++
+                    val state = RenderStateLayout.fields.map(dut.io.state.value(_) match {
+                      case flag: Bool        => if (flag.toBoolean) 1 else 0
+                      case number: BitVector => number.toInt
+                    })
+                    (state ++ Seq(f.x, f.y).map(_.toInt) ++
                       Seq(f.s, f.t, f.q, f.z, f.r, f.g, f.b, f.a).map(_.toInt)).mkString(" ")
                   })
         }

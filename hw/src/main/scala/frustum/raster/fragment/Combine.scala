@@ -46,7 +46,7 @@ case class Combine(config: RasterConfig, tech: Tech = Tech.Generic) extends Comp
       next.r := factor(from.attributes.r, replace)
       next.g := factor(from.attributes.g, replace)
       next.b := factor(from.attributes.b, replace)
-      next.a := factor(from.attributes.a, replace && io.state.rgba4444)
+      next.a := factor(from.attributes.a, replace && io.state.texelFormat)
       next
     }
     .m2sPipe(collapsBubble = false)

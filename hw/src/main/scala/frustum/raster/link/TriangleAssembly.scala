@@ -1,9 +1,10 @@
 package frustum.raster.link
 
-import frustum.contract.raster.RasterConfig
+import frustum.contract.raster.{RasterConfig, StoredVertex}
+import frustum.raster.store.FieldBits._
 import spinal.core._
 
-/** The part of [[CommandDecoder]] that judges a triangle: it has the corners' positions and tags read, last corner
+/** The part of [[TriangleCommand]] that judges a triangle: it has the corners' positions and tags read, last corner
   * first, horizontally (position and tag) and then vertically (position alone), and finds the bounding box.
   *
   * @param tag     of the frame
@@ -12,10 +13,6 @@ import spinal.core._
   * @param arrives a read is answered in this clock
   */
 class TriangleAssembly(config: RasterConfig, tag: Bits, index: UInt, corners: Bits, arrives: Bool) extends Area {
-  val arrived = Reg(UInt(CommandDecoder.CountBits bits)) // since begin
-  val stored = Reg(UInt(config.countBits bits)) // in the bank
-  val renderState = Reg(Bits(4 bits))
-
   val tagRead = Reg(Bool()) // the word being read is that with the tag
   val vertical = Reg(Bool())
   val corner = Reg(UInt(2 bits))
@@ -28,14 +25,14 @@ class TriangleAssembly(config: RasterConfig, tag: Bits, index: UInt, corners: Bi
   box.io.clear := False
   box.io.vertical := vertical
   box.io.coordinate.valid := arrives && !tagRead
-  box.io.coordinate.payload := Mux(vertical, corners(0, bits bits), corners(16, bits bits)).asSInt
+  box.io.coordinate.payload := Mux(vertical, StoredVertex.Y.in(corners), StoredVertex.X.in(corners)).resize(bits).asSInt
 
   val cornerDone = tagRead || vertical // with this answer
   val lastCorner = corner === 2
 
-  val nothing = missed || box.io.empty
-  val full = RegNext(stored === config.maxTriangles)
-  val refused = stale || (!nothing && full)
+  /** Which of the corner's words is to be read. */
+  val word = Mux(tagRead, U(StoredVertex.Tag.slice.word, 3 bits), U(StoredVertex.X.slice.word, 3 bits))
+  val nothing = missed || box.io.empty // of it is on the screen
 
   /** The box as the lower bits of the triangle's second word hold it. */
   val boxBits = firstX ## lastX ## box.io.firstY ## box.io.lastY
@@ -51,7 +48,7 @@ class TriangleAssembly(config: RasterConfig, tag: Bits, index: UInt, corners: Bi
   def answer(): Unit = {
     tagRead := !vertical && !tagRead
     when(cornerDone)(corner := corner + 1)
-    when(tagRead && corners(31 downto 25) =/= tag)(stale := True)
+    when(tagRead && StoredVertex.Tag.in(corners) =/= tag)(stale := True)
     if (config.maxVertices < 1024) stale setWhen (index >= config.maxVertices)
   }
 

@@ -1,6 +1,7 @@
 package frustum.raster.scan
 
 import frustum.contract.raster.{RasterConfig, StoreLayout}
+import frustum.raster.link.StoreAddress
 import frustum.raster.store.{RenderStateWord, StoreBus}
 import spinal.core._
 import spinal.lib._
@@ -37,18 +38,26 @@ case class RenderStateLoader(config: RasterConfig, slots: Int) extends Component
     io.down << up.continueWhen(passes)
     io.current := current.fixed(config.fixed)
 
-    val asking = RegInit(False) // until the answer
+    // The state's words are asked for one after the other.
+    val words = layout.stateWords
+    val word = (words > 1) generate Reg(UInt(log2Up(words) bits))
+    def isWord(n: Int) = if (words > 1) word === n else True
+    val asking = RegInit(False) // until the last answer
     val start = up.valid && !right && !io.busy && !asking
-    io.store.cmd.valid := RegInit(False) setWhen start clearWhen io.store.cmd.fire
+    val answer = asking && io.store.rsp.valid
+    io.store.cmd.valid := RegInit(False) setWhen (start || answer && !isWord(words - 1)) clearWhen io.store.cmd.fire
     io.store.cmd.write := False
     io.store.cmd.data := 0
-    io.store.cmd.address := io.bank @@ (U(layout.states, layout.bankAddressBits bits) + up.state)
+    io.store.cmd.address := io.bank @@ StoreAddress.state(layout, up.state, if (words > 1) word else U(0, 0 bits))
     asking.setWhen(start)
-    when(asking && io.store.rsp.valid) {
-      asking := False
-      current.assignFromBits(io.store.rsp.payload.rotateLeft(16)) // the store has the first word in the upper half
-      index := up.state
-      loaded := True
+    if (words > 1) when(start || answer)(word := Mux(start, U(0), word + 1))
+    when(answer) {
+      for (n <- 0 until words) when(isWord(n))(current.load(n, io.store.rsp.payload))
+      when(isWord(words - 1)) {
+        asking := False
+        index := up.state
+        loaded := True
+      }
     }
     loaded.clearWhen(io.flush)
   }

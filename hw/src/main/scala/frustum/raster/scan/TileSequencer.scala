@@ -1,6 +1,8 @@
 package frustum.raster.scan
 
-import frustum.contract.raster.{RasterConfig, StoreLayout}
+import frustum.contract.Field
+import frustum.contract.raster.{RasterConfig, StoreLayout, StoredTriangle}
+import frustum.raster.store.FieldBits._
 import frustum.raster.store.{FrameJob, StoreBus}
 import frustum.raster.tile.TilePosition
 import spinal.core._
@@ -32,11 +34,11 @@ case class TileSequencer(config: RasterConfig) extends Component {
   val asked = Reg(UInt(config.countBits bits)) // the next box to be asked for, counted from 1
   val pending = Reg(UInt(2 bits)) init 0 // answers under way
   val response = io.store.rsp
-  def field(n: Int) = response.payload(5 * n, 5 bits).asUInt
+  def box(of: Field) = of.in(response.payload).asUInt
   val looking = RegNext(response.valid, False)
-  val inside = RegNext(field(3) <= tile.tileX) && RegNext(field(2) >= tile.tileX) &&
-    RegNext(field(1) <= tile.tileY) && RegNext(field(0) >= tile.tileY)
-  val boxState = RegNext(response.payload(31 downto 28).asUInt)
+  val inside = RegNext(box(StoredTriangle.X0) <= tile.tileX) && RegNext(box(StoredTriangle.X1) >= tile.tileX) &&
+    RegNext(box(StoredTriangle.Y0) <= tile.tileY) && RegNext(box(StoredTriangle.Y1) >= tile.tileY)
+  val boxState = RegNext(StoredTriangle.State.in(response.payload).asUInt)
   val ended = Reg(Bool()) // none is left to be looked at
   val hitTriangle = Reg(UInt(config.triangleBits bits))
   val hitState = Reg(UInt(4 bits))
@@ -45,7 +47,10 @@ case class TileSequencer(config: RasterConfig) extends Component {
   io.store.cmd.write := False
   io.store.cmd.data := 0
   io.store.cmd.address := frame.bank @@
-    (U(layout.triangles, layout.bankAddressBits bits) + (asked << 1) - 1).resize(layout.bankAddressBits)
+    (U(
+      layout.triangles,
+      layout.bankAddressBits bits
+    ) + (asked << log2Up(layout.triangleWords)) - 1).resize(layout.bankAddressBits)
   when(io.store.cmd.fire) { asked := asked + 1 }
   pending := pending + io.store.cmd.fire.asUInt - response.valid.asUInt
   io.tile.valid := state === State.Tile

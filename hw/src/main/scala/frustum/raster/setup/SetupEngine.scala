@@ -1,7 +1,7 @@
 package frustum.raster.setup
 
 import frustum.arithmetic.Multiplier16
-import frustum.contract.raster.{SetupInstruction, SetupProgram, SetupWords}
+import frustum.contract.raster.{SetupInstruction, SetupMemory, SetupProgram, SetupWords}
 import frustum.device.{ComplementingAdder, Tech}
 import spinal.core._
 import spinal.lib._
@@ -9,7 +9,7 @@ import spinal.lib._
 /** A result on its way from the engine to whoever takes it. */
 case class SetupResult() extends Bundle {
   val kind = UInt(3 bits) // SetupInstruction.Result.code
-  val target = UInt(SetupWords.CodeBits bits) // a word's code, a plane or an edge
+  val target = UInt(SetupMemory.CodeBits bits) // a word's code, a plane or an edge
   val value = SInt(32 bits)
 }
 
@@ -24,22 +24,23 @@ case class SetupResult() extends Bundle {
 case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] = SetupWords.AllPlanes)
     extends Component {
   import SetupInstruction._
-  import SetupWords.CodeBits
+  import SetupMemory.CodeBits
 
   val program = SetupProgram(planes)
+  val memory = SetupMemory(planes)
   val sectionBits = log2Up(program.sections.length)
   // Slots of 32 words at most lie one after the other, before the shared words: an address is put together, not added up.
-  private val slotWords = SetupWords.slotWords(planes)
+  private val slotWords = memory.slotWords
   private val aligned = slotWords <= 32
   private val shared = if (aligned) slots * 32 else 0
-  val words = SetupWords.SharedWords + slots * (if (aligned) 32 else slotWords)
+  val words = memory.sharedWords + slots * (if (aligned) 32 else slotWords)
   val io = new Bundle {
     val run = slave Flow (UInt(sectionBits bits))
     val slot = in UInt (log2Up(slots) bits)
     val sliver = in Bool () // gradients are integers, not fractions
     val idle = out Bool ()
     val write = slave Flow (ScratchWrite())
-    val read = in UInt (SetupWords.CodeBits bits)
+    val read = in UInt (SetupMemory.CodeBits bits)
     val readData = out SInt (32 bits)
     val result = master Flow (SetupResult())
     val overflow = out Bool () // a checked result did not fit, since the last run began
@@ -68,7 +69,7 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
     more := True
     running := True
   }
-  val rom = Mem(Bits(WordBits bits), image.map(i => B(encode(i, planes), WordBits bits)))
+  val rom = Mem(Bits(WordBits bits), image.map(i => B(encode(i, memory), WordBits bits)))
   val word = rom.readSync(pc.resized, enable = phase)
 
   class Control extends Bundle {
@@ -87,8 +88,8 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
 
   // Clock 0 reads b, clock 1 a. An edge's walk starts at the side from which its function grows.
   val scratch = Mem(SInt(32 bits), words)
-  scratch.init((0 until words).map(n => S(SetupWords.constants.getOrElse(n - shared + SetupWords.Shared, 0), 32 bits)))
-  val bases = Vec((0 until slots).map(n => U(SetupWords.SharedWords + n * slotWords, log2Up(words) bits)))
+  scratch.init((0 until words).map(n => S(memory.initial.applyOrElse(n - shared, (_: Int) => 0), 32 bits)))
+  val bases = Vec((0 until slots).map(n => U(memory.sharedWords + n * slotWords, log2Up(words) bits)))
   val slotBase = RegNext(if (aligned) io.slot else bases(io.slot))
   def address(code: UInt): UInt =
     if (aligned) ((code.msb ? U(slots, log2Up(words) - 5 bits) | slotBase.resized) @@ code(4 downto 0))
@@ -144,12 +145,13 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
 
   // Clock 7 hands the result on.
   val done = valids(2) && phase
+  private val any = SetupWords.Nothing
   val kind = control(7).kind
   def is(kinds: Int*) = kinds.map(kind === _).orR
   val gradient = is(GradientX(0).code, GradientY(0).code)
-  val fraction = is(Fraction(0).code, Initial(0).code) || gradient && !io.sliver
+  val fraction = is(Fraction(any).code, Initial(0).code) || gradient && !io.sliver
   val value = fraction ? accumulator(14, 32 bits) | accumulator(0, 32 bits)
-  val toScratch = is(Integer(0).code, Fraction(0).code, Checked(0).code)
+  val toScratch = is(Integer(any).code, Fraction(any).code, Checked(any).code)
   io.result.valid := done && kind =/= Nowhere.code
   io.result.kind := kind
   io.result.target := control(7).target
@@ -163,7 +165,7 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
 
   val overflow = RegInit(False)
   val upper = accumulator(47 downto 29)
-  overflow.setWhen(done && is(Checked(0).code) && upper.orR && !upper.andR)
+  overflow.setWhen(done && is(Checked(any).code) && upper.orR && !upper.andR)
   overflow.clearWhen(io.run.valid)
   io.overflow := overflow
   io.idle := !running && !executing && !valids.orR

@@ -1,22 +1,33 @@
 package frustum.raster.setup
 
-import frustum.contract.raster.{FetchProgram, RasterConfig, SetupWords, StoreLayout}
-import frustum.contract.raster.FetchProgram.Field
+import frustum.contract.Field
+import frustum.contract.raster.{
+  FetchProgram,
+  RasterConfig,
+  SetupMemory,
+  SetupWords,
+  StoreLayout,
+  StoredTriangle,
+  StoredVertex
+}
+import frustum.contract.raster.FetchProgram.Source
+import frustum.raster.link.StoreAddress
 import frustum.raster.scan.SpareRows
+import frustum.raster.store.FieldBits._
 import frustum.raster.store.StoreBus
 import spinal.core._
 import spinal.lib._
 
 /** A word for the set-up engine's scratch memory. */
 case class ScratchWrite() extends Bundle {
-  val word = UInt(SetupWords.CodeBits bits)
+  val word = UInt(SetupMemory.CodeBits bits)
   val data = SInt(32 bits)
 }
 
 /** A row of the table, as [[frustum.contract.raster.FetchProgram]] encodes it. */
 case class FetchRow() extends Bundle {
-  val target, origin = UInt(SetupWords.CodeBits bits)
-  val fields = Bits(Field.Skip.id bits)
+  val target, origin = UInt(SetupMemory.CodeBits bits)
+  val sources = Bits(Source.Skip.id bits)
   val word = UInt(3 bits)
   val upper, take = Bool()
   val lastOfWord, last = Bool()
@@ -38,7 +49,7 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
     val bank = in UInt (1 bits)
     val values = in(FetchValues(config))
     val store = master(StoreBus(layout))
-    val read = out UInt (SetupWords.CodeBits bits)
+    val read = out UInt (SetupMemory.CodeBits bits)
     val readData = in SInt (32 bits)
     val write = master Flow (ScratchWrite())
     val spare = slave(SpareRows(spareRows, config.triangleBits))
@@ -77,26 +88,25 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
   io.spare.data := read(config.triangleBits - 1 downto 0).asUInt
   val action = FetchRow()
   action.assignFromBits(read)
-  def isField(kind: Field.Value) = action.fields(kind.id)
+  def isFrom(kind: Source.Value) = action.sources(kind.id)
 
   // Store reads: the vertices' indices, the three exponents, then word after word of each vertex. Indices and exponents
   // go round, the vertex at hand first.
   val indices = Vec.fill(3)(Reg(UInt(config.vertexBits bits)))
   val exponents = Vec.fill(3)(Reg(UInt(5 bits)))
   def turn[T <: Data](ring: Vec[T]): Unit = { ring(0) := ring(1); ring(1) := ring(2); ring(2) := ring(0) }
-  val index = indices(0).resize(layout.bankAddressBits)
   val ask = False // the address follows a clock later
   val asking = RegInit(False) clearWhen io.store.cmd.fire setWhen RegNext(ask, False)
-  val wanted = (state === State.Exponents) ? U(FetchProgram.ExponentWord, 3 bits) | action.word
+  val wanted = (state === State.Exponents) ? U(StoredVertex.QExponent.slice.word, 3 bits) | action.word
   val response = io.store.rsp
   io.store.cmd.valid := asking
   io.store.cmd.write := False
   io.store.cmd.data := 0
-  val ofVertex = (index |<< 2) + index + wanted
-  val ofTriangle = U(layout.triangles, layout.bankAddressBits bits) + (io.triangle << 1).resize(layout.bankAddressBits)
+  val ofVertex = StoreAddress.vertex(layout, indices(0), wanted)
+  val ofTriangle = StoreAddress.triangle(layout, io.triangle, U(StoredTriangle.V0.slice.word, 1 bits))
   io.store.cmd.address := io.bank @@ RegNext((state === State.Vertices) ? ofTriangle | ofVertex)
   val largest = Reg(UInt(5 bits))
-  val arriving = response.payload(31 downto 27).asUInt
+  val arriving = StoredVertex.QExponent.in(response.payload).asUInt
 
   val data = Reg(Bits(32 bits)) // a store word; the next field is always at its top
 
@@ -113,30 +123,32 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
   }
   val column = centre(values.tileX, values.lastColumn, values.coveredX)
   val line = centre(values.tileY, values.lastRow, values.coveredY)
-  val top16 = data(31 downto 16)
+  // A field of a width, at the word's top; a texture coordinate never moves.
+  def top(field: Field) = data(31 downto 32 - field.width)
+  val top16 = top(StoredVertex.X)
   val minuend = RegNext(
-    Seq[(Field.Value, BitVector)](
-      Field.Position -> top16.asSInt.resize(32),
-      Field.Z -> (top16 << 15),
-      Field.Q -> (top16 << 1),
-      Field.Color -> (data(31 downto 24) << 7),
-      Field.Texture -> (data(24 downto 0).asSInt << 6).resize(32),
-      Field.Area -> (values.area | (1 << 29) | 1),
-      Field.Pixel -> (action.word.lsb ? line | column)
-    ).map { case (f, v) => v.asBits.resize(32) & isField(f) #* 32 }.reduceBalancedTree(_ | _).asSInt
+    Seq[(Source.Value, BitVector)](
+      Source.Position -> top16.asSInt.resize(32),
+      Source.Z -> (top16 << 15),
+      Source.Q -> (top16 << 1),
+      Source.Color -> (top(StoredVertex.R) << 7),
+      Source.Texture -> (StoredVertex.S.in(data).asSInt << 6).resize(32),
+      Source.Area -> (values.area | (1 << 29) | 1),
+      Source.Pixel -> (action.word.lsb ? line | column)
+    ).map { case (f, v) => v.asBits.resize(32) & isFrom(f) #* 32 }.reduceBalancedTree(_ | _).asSInt
   )
   val difference = RegNext(minuend - io.readData)
   val raise = Delay(action.upper, 2)
   val behind = RegNext(largest - exponents(0))
-  val place = RegNext(RegNext(isField(Field.Scale)) ? behind | values.place)
-  val isPower = Delay(working && (isField(Field.Scale) || isField(Field.Power)), 2, init = False)
+  val place = RegNext(RegNext(isFrom(Source.Scale)) ? behind | values.place)
+  val isPower = Delay(working && (isFrom(Source.Scale) || isFrom(Source.Power)), 2, init = False)
   // Bit 30 - n for place n, and bit 0 for place 31 too, from lines for the upper and the lower bits of ~n.
   val group = (~place)(4 downto 2)
   val lines = B((0 to 7).map(isPower && group === _))
   val four = B((0 to 3).map((~place)(1 downto 0) === _))
   val bits = (0 to 31).map(n => lines(n / 4) && four(n % 4))
   val power = B((bits(0) || bits(1)) +: bits.drop(2) :+ False)
-  io.write.valid := Delay(working && action.fields.orR, 3, init = False)
+  io.write.valid := Delay(working && action.sources.orR, 3, init = False)
   io.write.word := Delay(action.target, 3)
   io.write.data := RegNext((raise ? (difference |<< 16) | difference) | power.asSInt)
 
@@ -151,7 +163,8 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
     }
     is(State.Vertices) {
       when(response.valid) {
-        for (v <- 0 to 2) indices(v) := response.payload(20 - 10 * v, config.vertexBits bits).asUInt
+        for ((index, corner) <- indices.zip(StoredTriangle.corners))
+          index := corner.in(response.payload).asUInt.resize(config.vertexBits)
         state := State.Exponents
         ask := True
       }

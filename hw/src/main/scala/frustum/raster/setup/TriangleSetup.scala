@@ -84,17 +84,8 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech = Tech.Gen
   token.parity := parity
   token.x := firstX
 
-  // The area, to be shifted left until bit 29 is set; `place` is 30 less the shift.
-  val area = Reg(UInt(30 bits))
-  val backward = Reg(Bool()) // the triangle faces away
-  val place = Reg(UInt(5 bits))
-  val sliver = Reg(Bool())
-  engine.io.sliver := sliver
-  when(result.valid && result.target === SetupWords.Area) {
-    area := result.value.asUInt.resized
-    backward := result.value.msb
-  }
-  val nothing = RegNext(backward || area === 0)
+  val area = new TriangleArea(result, engine.memory.code(SetupWords.Area))
+  engine.io.sliver := area.sliver
   val empty = Vec.fill(slots)(Reg(Bool())) // the slot's triangle draws nothing
   val isEmpty = RegNext(empty(slot))
 
@@ -113,8 +104,8 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech = Tech.Gen
   values.lastRow := lastRow
   values.coveredX := firstX
   values.coveredY := firstY
-  values.area := area
-  values.place := place
+  values.area := area.value
+  values.place := area.place
 
   import SetupProgram.{SectionArea, SectionAttributes, SectionEdges, SectionGradients, SectionRebase, SectionSteps}
   object State extends SpinalEnum(binaryOneHot) {
@@ -158,8 +149,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech = Tech.Gen
   } otherwise {
     switch(state) {
       is(State.Idle) {
-        sliver := False
-        place := 30
+        area.start()
         when(found.valid && !finished) { state := State.Begin }
       }
       is(State.Begin) {
@@ -176,27 +166,22 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech = Tech.Gen
       is(State.Area) { run(SectionArea, State.Facing) }
       is(State.Facing) {
         state := State.Normalise
-        empty(slot) := nothing
-        when(nothing) { finish() }
+        empty(slot) := area.nothing
+        when(area.nothing) { finish() }
       }
       is(State.Normalise) {
-        when(area.msb || place === 30 - SetupWords.MaxShift) {
-          load(FetchProgram.Normal, State.GradientShift)
-        } otherwise {
-          area := area |<< 1
-          place := place - 1
-        }
+        when(area.normal) { load(FetchProgram.Normal, State.GradientShift) } otherwise { area.shift() }
       }
       is(State.GradientShift) {
-        place := sliver ? (place + 14) | (place - 4)
+        area.toGradients()
         load(FetchProgram.GradientShift, State.Attributes)
       }
       is(State.Attributes) {
-        when(sliver) { run(SectionSteps, State.Check) } otherwise { run(SectionAttributes, State.Check) }
+        when(area.sliver) { run(SectionSteps, State.Check) } otherwise { run(SectionAttributes, State.Check) }
       }
       is(State.Check) {
-        when(engine.io.overflow && !sliver) {
-          sliver := True
+        when(engine.io.overflow && !area.sliver) {
+          area.sliver := True
           state := State.GradientShift
         } otherwise {
           state := State.Gradients

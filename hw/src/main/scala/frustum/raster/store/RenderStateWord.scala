@@ -1,30 +1,46 @@
 package frustum.raster.store
 
-import frustum.contract.raster.FixedState
+import frustum.contract.Field
+import frustum.contract.raster.{FixedState, RenderStateLayout, StoredState}
+import frustum.raster.store.FieldBits._
 import spinal.core._
 import spinal.lib._
 
-/** The 32 bits of [[frustum.contract.raster.RenderState]], second word in the upper half, as named fields. */
+/** A [[frustum.contract.raster.RenderState]] as the fragment stages see it: the fields of [[frustum.contract.raster.RenderStateLayout]]. */
 case class RenderStateWord() extends Bundle {
-  val textureBase = UInt(9 bits)
-  val log2Width = UInt(3 bits) // minus 3
-  val log2Height = UInt(3 bits) // minus 3
-  val rgba4444 = Bool()
-  val wrapS, wrapT = Bits(2 bits)
-  val combine = Bits(2 bits)
-  val depthFunction = Bits(3 bits) // less, equal, greater
+  import RenderStateLayout._
+  private def number(field: Field) = UInt(field.width bits)
+
+  val textureBase = number(TextureBase)
+  val log2Width = number(Log2Width) // minus 3
+  val log2Height = number(Log2Height) // minus 3
+  val texelFormat = Bool() // RGBA4444, otherwise RGB565
+  val wrapS = Bits(WrapS.width bits)
+  val wrapT = Bits(WrapT.width bits)
+  val combine = Bits(CombineMode.width bits)
+  val depthFunction = Bits(DepthTest.width bits) // less, equal, greater
   val depthWrite = Bool()
   val blend = Bool()
-  val alphaRef = UInt(5 bits)
+  val alphaRef = number(AlphaRef)
+
+  /** What the bundle has for a field of the table: the element of its name. */
+  def value(field: Field): BaseType = elements.collectFirst { case (name, of: BaseType) if name == field.name => of }
+    .getOrElse(SpinalError(s"RenderStateWord has no ${field.name}"))
+
+  /** Takes the fields that word `n` of the stored state holds. */
+  def load(n: Int, word: Bits): Unit =
+    for ((field, stored) <- StoredState.of if stored.slice.word == n) value(field).assignFromBits(stored.in(word))
 
   /** With constants for the bits that are. */
   def fixed(f: FixedState): RenderStateWord = if (f == FixedState.None) this
   else {
-    val bits = asBits.asBools.zipWithIndex.map { case (bit, i) =>
-      if ((f.mask >> i & 1) == 0) bit else Bool((f.value >> i & 1) == 1)
+    val state = RenderStateWord()
+    for (field <- fields) {
+      val bits = value(field).asBits.asBools.zipWithIndex.map { case (bit, i) =>
+        if ((f(field).mask >> i & 1) == 0) bit else Bool((f(field).value >> i & 1) == 1)
+      }
+      state.value(field).assignFromBits(Cat(bits))
     }
-    val word = RenderStateWord()
-    word.assignFromBits(Cat(bits))
-    word
+    state
   }
 }

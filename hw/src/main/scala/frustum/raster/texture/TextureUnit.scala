@@ -51,7 +51,7 @@ case class TextureUnit(config: RasterConfig, tech: Tech = Tech.Generic) extends 
   memory.io.mask := 1
   io.texels.ready := !fetched.valid
 
-  io.down << fetched.translateWith(Texel.decode(memory.io.readData, io.state.rgba4444))
+  io.down << fetched.translateWith(Texel.decode(memory.io.readData, io.state.texelFormat))
   io.fetch := read.fire
   io.busy := indexed.valid || addressed.valid || fetched.valid
 }

@@ -22,9 +22,7 @@ object FitReport {
     s"""RasterConfig(
        |  width = ${c.width}, height = ${c.height},
        |  maxVertices = ${c.maxVertices}, maxTriangles = ${c.maxTriangles}, textureTexels = ${c.textureTexels},
-       |  fixed = FixedState(mask = 0x${c.fixed.mask.toHexString}, value = 0x${c.fixed.value.toHexString}), // ${c.fixed.constant.mkString(
-        ", "
-      )}
+       |  fixed = ${c.fixed.code}, // ${c.fixed.constant.mkString(", ")}
        |  formats = PlaneFormats(coordinate = ${c.formats.coordinate}, depth = ${c.formats.depth},
        |    color = ${c.formats.color}, inverse = ${c.formats.inverse}),
        |  ranges = VertexRanges(position = ${c.ranges.position}, repeats = ${c.ranges.repeats}, ratio = ${c.ranges.ratio}),
@@ -77,8 +75,9 @@ object FitReport {
         "ratioBits" -> c.ranges.ratio,
         "clearColor" -> c.clearColor.fold[ujson.Value](ujson.Null)(ujson.Num(_)),
         "constant" -> c.fixed.constant,
-        "fixedMask" -> (c.fixed.mask & 0xffffffffL).toDouble,
-        "fixedValue" -> (c.fixed.value & 0xffffffffL).toDouble,
+        "fixed" -> ujson.Obj.from(c.fixed.constants.toSeq.sortBy(_._1).map { case (field, bits) =>
+          field -> ujson.Obj("mask" -> bits.mask, "value" -> bits.value)
+        }),
         "coordinate" -> c.formats.coordinate,
         "depth" -> c.formats.depth,
         "color" -> c.formats.color,

@@ -1,6 +1,14 @@
 package frustum.driver.raster
 
-import frustum.contract.raster.{Command, FramePass, PackedTriangle, PackedVertex, TileRegion}
+import frustum.contract.raster.{
+  BeginLayout,
+  Command,
+  FramePass,
+  PackedTriangle,
+  PackedVertex,
+  TileRegion,
+  TriangleLayout
+}
 
 /** Takes wire commands apart again, by the book of [[Command]]; strict, because it only serves tests. */
 object WireDecoder {
@@ -33,9 +41,8 @@ object WireDecoder {
           require(m.payload(0) == vertices.length)
           vertices ++= m.payload.drop(1).grouped(PackedVertex.WireWords).map(PackedVertex.decode)
         case Command.Triangles =>
-          m.payload.drop(1).grouped(2).foreach { w =>
-            val bits = w(0) << 16 | w(1)
-            val t = PackedTriangle(m.payload(0), bits >> 20, bits >> 10 & 1023, bits & 1023)
+          m.payload.drop(1).grouped(TriangleLayout.words).foreach { w =>
+            val t = PackedTriangle.decode(m.payload(0), w)
             require(Seq(t.v0, t.v1, t.v2).forall(_ < vertices.length), "triangle before its vertices")
             require(t.state < states.length, "triangle before its state")
             triangles += t
@@ -44,7 +51,8 @@ object WireDecoder {
       }
     }
     require(all.last.payload == Seq(vertices.length, triangles.length), "counts")
-    val region = TileRegion(begin(2) >> 8, begin(3) >> 8, begin(2) & 255, begin(3) & 255)
+    import BeginLayout._
+    val region = TileRegion(X0.of(begin), Y0.of(begin), X1.of(begin), Y1.of(begin))
     (
       FramePass(begin(0), begin(1), region, IndexedSeq.empty, vertices.toIndexedSeq, triangles.toIndexedSeq),
       states.toSeq

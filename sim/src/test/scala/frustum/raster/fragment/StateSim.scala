@@ -1,7 +1,8 @@
 package frustum.raster.fragment
 
-import frustum.contract.raster.{Combine, DepthFunction, RenderState, TexelFormat, TextureRef, Wrap}
+import frustum.contract.raster.{Combine, DepthFunction, RenderState, RenderStateLayout, TexelFormat, TextureRef, Wrap}
 import frustum.raster.store.RenderStateWord
+import spinal.core._
 import spinal.core.sim._
 
 import scala.util.Random
@@ -9,18 +10,11 @@ import scala.util.Random
 /** Drives and draws lots for render states in tests. */
 object StateSim {
   def drive(to: RenderStateWord, state: RenderState): Unit = {
-    val texture = state.texture.getOrElse(TextureRef(0, 3, 3, TexelFormat.Rgb565))
-    to.textureBase #= texture.base
-    to.log2Width #= texture.log2Width - 3
-    to.log2Height #= texture.log2Height - 3
-    to.rgba4444 #= texture.format == TexelFormat.Rgba4444
-    to.wrapS #= state.wrapS.code
-    to.wrapT #= state.wrapT.code
-    to.combine #= state.combine.code
-    to.depthFunction #= state.depth.code
-    to.depthWrite #= state.depthWrite
-    to.blend #= state.blend
-    to.alphaRef #= state.alphaRef
+    val words = state.words
+    for (field <- RenderStateLayout.fields) to.value(field) match {
+      case flag: Bool        => flag #= field.of(words) == 1
+      case number: BitVector => number #= field.of(words)
+    }
   }
 
   def random(r: Random, texels: Int = 32768): RenderState = {

@@ -70,7 +70,12 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
   }
 
   test("and for hardware that cannot blend, clamp or write other than RGB565: states that ask for it are refused") {
-    val config = small.copy(fixed = FixedState(mask = 1 << 26 | 5 << 16 | 1 << 15, value = 0))
+    val config = small.copy(fixed =
+      FixedState.fields(
+        "blend" -> 0,
+        "texelFormat" -> 0
+      ).bits("wrapS", mask = 1, value = 0).bits("wrapT", mask = 1, value = 0)
+    )
     val sim = FrustumSim.compile("CommandLink_fixed")(CommandLinkTop(config, dropWhenFull = false))
     run(sim, config, traffic(config, 5, 20), 5, 0.2)
   }
@@ -145,7 +150,5 @@ object LinkChecks {
 
   /** Bits of a store word that mean something. */
   private def mask(layout: StoreLayout, address: Int): Long =
-    if (address < layout.triangles) if (address % layout.vertexWords == 2) 0xf9ffffffL else 0xffffffffL
-    else if (address < layout.states) if ((address - layout.triangles) % 2 == 0) 0x3fffffffL else 0xf00fffffL
-    else 0xffffffffL
+    0xffffffffL & layout.mask(address)
 }

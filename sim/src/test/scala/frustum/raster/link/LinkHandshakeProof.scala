@@ -1,6 +1,6 @@
 package frustum.raster.link
 
-import frustum.contract.raster.RasterConfig
+import frustum.contract.raster.{Command, RasterConfig}
 import frustum.harness.{Claims, Formal, Prover}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core._
@@ -23,13 +23,16 @@ class CommandDecoderClaims extends Component {
   Claims.sink(unit.io.job)
   anyseq(unit.io.jobDone)
   assume(!unit.io.jobDone || unit.io.drawing)
-  // For induction: one state at a time, the store is asked in five of them, and for a vertex's word when it was checked.
-  import DecoderState._
-  val state = unit.state.pull()
-  val asking = unit.asking.pull()
+  // For induction: one state at a time, the store is asked only while a unit asks, and a triangle is under way only while
+  // its words are offered.
+  val reader = unit.reader
+  val state = reader.state.pull()
+  val triangle = unit.triangles.state.pull()
   assert(CountOne(state.asBits) === 1)
-  assert(!asking || Seq(writeState, writeVertex, read, writeIndices, writeBox).map(state === _).orR)
-  assert(!asking || state =/= writeVertex || !unit.check.io.busy.pull())
+  assert(CountOne(triangle.asBits) === 1)
+  assert(!unit.port.asking.pull() || unit.port.ask.pull())
+  val ofTriangle = reader.io.opcode.pull() === Command.Triangles.opcode && !reader.isFirst.pull()
+  assert(triangle === unit.triangles.State.idle || state === reader.State.offer && ofTriangle)
 }
 
 /** What the link's units offer stays until it is taken, unchanged. */

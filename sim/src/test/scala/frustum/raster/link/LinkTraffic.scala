@@ -1,6 +1,6 @@
 package frustum.raster.link
 
-import frustum.contract.raster.{Command, PackedTriangle, PackedVertex, RasterConfig}
+import frustum.contract.raster.{Command, PackedTriangle, PackedVertex, RasterConfig, RenderStateLayout}
 import scala.util.Random
 
 /** Random commands for the link, right and wrong ones. */
@@ -64,9 +64,12 @@ final class LinkTraffic(config: RasterConfig, random: Random) {
 
   /** Of every other one all bits are as hardware has them that are constant there. */
   private def state(): Seq[Int] = {
-    val word = random.nextInt()
-    val made = if (oneIn(2)) word & ~config.fixed.mask | config.fixed.value else word
-    Seq(made & 0xffff, made >>> 16)
+    val fits = oneIn(2)
+    RenderStateLayout.encode(RenderStateLayout.fields.map { field =>
+      val fixed = config.fixed(field)
+      val value = random.nextInt() & field.ones
+      field -> (if (fits) value & ~fixed.mask | fixed.value else value)
+    }: _*)
   }
 
   /** One frame as (command, payload). */

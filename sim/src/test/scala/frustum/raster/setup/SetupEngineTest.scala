@@ -1,6 +1,6 @@
 package frustum.raster.setup
 
-import frustum.contract.raster.SetupWords
+import frustum.contract.raster.{SetupWord, SetupWords}
 import frustum.device.Tech
 import frustum.harness.{FrustumSim, Simulated}
 import org.scalatest.funsuite.AnyFunSuite
@@ -15,8 +15,8 @@ class SetupEngineTest extends AnyFunSuite with Simulated {
       dut.io.slot #= 0
       dut.clockDomain.forkStimulus(10)
       dut.clockDomain.waitSampling(20)
-      for ((word, value) <- SetupWords.constants + (SetupWords.Nothing -> 0)) {
-        dut.io.read #= SetupWords.code(word, SetupWords.AllPlanes)
+      for (word <- SetupWords.all; value <- Some(word.kind).collect { case SetupWord.Constant(v) => v }) {
+        dut.io.read #= dut.memory.code(word)
         dut.clockDomain.waitSampling(2)
         assert(dut.io.readData.toInt == value, s"word $word, boot seed $boot")
       }

@@ -1,6 +1,7 @@
 package frustum.demos.voxel
 
 import frustum.contract.arithmetic.SineTable
+import frustum.contract.raster.Part
 import scala.math.{floor, log, pow, round}
 
 /** How a camera follows from the sines and cosines of its yaw and pitch: one product a step,

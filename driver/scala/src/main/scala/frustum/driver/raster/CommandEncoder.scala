@@ -1,14 +1,21 @@
 package frustum.driver.raster
 
-import frustum.contract.raster.{Command, FramePass, PackedVertex, TextureUpload}
+import frustum.contract.raster.{
+  BeginLayout,
+  Command,
+  FramePass,
+  PackedVertex,
+  TexelsHeadLayout,
+  TextureUpload,
+  TriangleLayout
+}
 
 /** Passes and textures as wire commands, each as full as [[Command.MaxWords]] allows. */
 object CommandEncoder {
   private val verticesPerCommand = (Command.MaxWords - 1) / PackedVertex.WireWords
-  private val trianglesPerCommand = (Command.MaxWords - 1) / 2
+  private val trianglesPerCommand = (Command.MaxWords - 1) / TriangleLayout.words
 
-  /** Texels are addressed in units of this many. */
-  private val TexelUnit = 16
+  private val TexelUnit = TexelsHeadLayout.Unit
   private val texelsPerCommand = (Command.MaxWords - 1) / TexelUnit * TexelUnit
 
   /** begin, states, vertices, triangles, draw: a triangle never comes before its vertices. */
@@ -16,7 +23,14 @@ object CommandEncoder {
     val r = pass.region
     val begin = Command.encode(
       Command.Begin,
-      Seq(pass.frame & 0xffff, pass.clearColor, r.x0 << 8 | r.x1, r.y0 << 8 | r.y1)
+      BeginLayout.encode(
+        BeginLayout.Frame -> (pass.frame & BeginLayout.Frame.ones),
+        BeginLayout.ClearColor -> pass.clearColor,
+        BeginLayout.X0 -> r.x0,
+        BeginLayout.X1 -> r.x1,
+        BeginLayout.Y0 -> r.y0,
+        BeginLayout.Y1 -> r.y1
+      )
     )
     val states = pass.states.zipWithIndex.map { case (s, i) => Command.encode(Command.State, i +: s.words) }
     val vertices = pass.vertices.grouped(verticesPerCommand).zipWithIndex.map { case (group, i) =>

@@ -1,10 +1,12 @@
 package frustum.contract.raster
 
-/** One command of the stream: opcode, name, and its payload in 16-bit words, for the decoder, the driver and docs. */
-final case class Command(opcode: Int, name: String, fields: Seq[Field], note: String)
+import frustum.contract.Layout
 
-/** A field of a command's payload: `words` 16-bit words, or any number of groups of `words` where `repeated`. */
-final case class Field(name: String, words: Int, note: String, repeated: Boolean = false)
+/** One command of the stream, for the decoder, the driver and docs: what its payload of 16-bit words is made of. */
+final case class Command(opcode: Int, name: String, parts: Seq[Part], note: String)
+
+/** A record of a command's payload, or any number of them, one at least, where `repeated`. */
+final case class Part(layout: Layout, repeated: Boolean = false)
 
 /** The command set. A frame on the wire is
   * {{{ 0x7E  opcode  length  payload (2 * length bytes, big-endian words)  crc (2 bytes, big-endian) }}}
@@ -23,74 +25,42 @@ object Command {
   val Begin = Command(
     0x01,
     "begin",
-    Seq(
-      Field(
-        "frame",
-        1,
-        "frame number modulo 128, another for each frame: vertices sent under another number are not drawn"
-      ),
-      Field("clearColor", 1, "RGB565"),
-      Field(
-        "region",
-        2,
-        "tiles to draw, from the top left: x0 << 8 | x1, y0 << 8 | y1, inclusive; 16 x 16 pixels each in the tops"
-      )
-    ),
+    Seq(Part(BeginLayout)),
     "Starts a frame, or one pass of it, in a free bank of the store; waits until there is one. One that is refused ends the frame before it all the same."
   )
 
   val State = Command(
     0x02,
     "state",
-    Seq(
-      Field("index", 1, "0..15"),
-      Field("state", 2, "see RenderState")
-    ),
+    Seq(Part(StateHeadLayout), Part(RenderStateLayout)),
     "Sets a render state of the frame."
   )
 
   val Vertices = Command(
     0x03,
     "vertices",
-    Seq(
-      Field("first", 1, "index of the first vertex, 0..1023"),
-      Field("vertex", PackedVertex.WireWords, "see PackedVertex", repeated = true)
-    ),
+    Seq(Part(VerticesHeadLayout), Part(VertexLayout, repeated = true)),
     "Stores vertices at consecutive indices. A vertex out of range is refused and counted."
   )
 
   val Triangles = Command(
     0x04,
     "triangles",
-    Seq(
-      Field("state", 1, "render state of these triangles, 0..15"),
-      Field(
-        "indices",
-        2,
-        "v0 << 20 | v1 << 10 | v2; drawn when v0, v1, v2 turn clockwise on the screen",
-        repeated = true
-      )
-    ),
+    Seq(Part(TrianglesHeadLayout), Part(TriangleLayout, repeated = true)),
     "Appends triangles; they are drawn in this order. A triangle that names a vertex not sent in this frame is refused and counted."
   )
 
   val Texels = Command(
     0x05,
     "texels",
-    Seq(
-      Field("address", 1, "first texel / 16"),
-      Field("texel", 1, "RGB565 or RGBA4444", repeated = true)
-    ),
+    Seq(Part(TexelsHeadLayout), Part(TexelLayout, repeated = true)),
     "Writes texel memory. Waits until no frame is being drawn. Of one that runs beyond the memory, what lies within is written, and it counts as refused."
   )
 
   val Draw = Command(
     0x06,
     "draw",
-    Seq(
-      Field("vertices", 1, "vertices sent since begin"),
-      Field("triangles", 1, "triangles sent since begin")
-    ),
+    Seq(Part(DrawLayout)),
     "Hands the bank to the rasterizer. Counts that differ from what arrived mark the frame incomplete (counted)."
   )
 

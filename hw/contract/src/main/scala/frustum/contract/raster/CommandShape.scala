@@ -1,14 +1,14 @@
 package frustum.contract.raster
 
-/** Which payload lengths a command of the table may have, derived from its fields. */
+/** Which payload lengths a command of the table may have, derived from its parts. */
 object CommandShape {
 
-  /** A repeated field occurs at least once. */
+  /** A repeated part occurs at least once. */
   def lengths(command: Command): Seq[Int] = {
-    val fixed = command.fields.filterNot(_.repeated).map(_.words).sum
-    command.fields.find(_.repeated) match {
+    val fixed = command.parts.filterNot(_.repeated).map(_.layout.words).sum
+    command.parts.find(_.repeated) match {
       case None        => Seq(fixed)
-      case Some(group) => fixed + group.words to Command.MaxWords by group.words
+      case Some(group) => fixed + group.layout.words to Command.MaxWords by group.layout.words
     }
   }
 

@@ -2,7 +2,16 @@ package frustum.contract.raster
 
 /** A triangle of a frame: three vertex indices and a render state. Drawn when v0, v1, v2 turn clockwise on the screen. */
 final case class PackedTriangle(state: Int, v0: Int, v1: Int, v2: Int) {
-  def words: Seq[Int] = { val w = v0 << 20 | v1 << 10 | v2; Seq(w >>> 16, w & 0xffff) }
+
+  /** The words of the wire, as [[TriangleLayout]] has them; the command that they are part of names the state. */
+  def words: Seq[Int] = TriangleLayout.encode(TriangleLayout.V0 -> v0, TriangleLayout.V1 -> v1, TriangleLayout.V2 -> v2)
+}
+
+object PackedTriangle {
+
+  /** The triangle of these words of the wire. */
+  def decode(state: Int, words: Seq[Int]): PackedTriangle =
+    PackedTriangle(state, TriangleLayout.V0.of(words), TriangleLayout.V1.of(words), TriangleLayout.V2.of(words))
 }
 
 /** A rectangle of tiles, both ends inclusive. */

@@ -1,6 +1,6 @@
 package frustum.contract.raster
 
-/** A vertex as the hardware holds it: screen space, fixed point, exactly 20 bytes on the wire.
+/** A vertex as the hardware holds it: screen space, fixed point; on the wire a [[VertexLayout]].
   *
   * @param x   signed, 1/16 pixel, right of the screen's left edge; |x| <= [[PackedVertex.MaxXy]]
   * @param y   signed, 1/16 pixel, below the screen's top edge; |y| <= [[PackedVertex.MaxXy]]
@@ -41,23 +41,27 @@ final case class PackedVertex(
     else if (Seq(r, g, b, a).exists(c => c < 0 || c > 255)) Some(s"colour ($r, $g, $b, $a) is outside 0..255")
     else None
 
-  /** The ten 16-bit words of the wire, in order. */
-  def words: Seq[Int] = Seq(
-    x & 0xffff,
-    y & 0xffff,
-    z,
-    qMantissa,
-    (qExponent << 11) | ((s >> 16) & 0x7ff),
-    s & 0xffff,
-    (t >> 16) & 0x7ff,
-    t & 0xffff,
-    (r << 8) | g,
-    (b << 8) | a
-  )
+  /** The words of the wire, as [[VertexLayout]] has them. */
+  def words: Seq[Int] = {
+    import VertexLayout._
+    encode(
+      X -> x,
+      Y -> y,
+      Z -> z,
+      QMantissa -> qMantissa,
+      QExponent -> qExponent,
+      S -> s,
+      T -> t,
+      R -> r,
+      G -> g,
+      B -> b,
+      A -> a
+    )
+  }
 }
 
 object PackedVertex {
-  val WireWords = 10
+  def WireWords: Int = VertexLayout.words
 
   /** 1/16 pixel units: vertices lie strictly within +-1024 pixels of the screen's top left corner. */
   val MaxXy = 16383
@@ -67,19 +71,19 @@ object PackedVertex {
 
   def decode(w: Seq[Int]): PackedVertex = {
     require(w.length == WireWords, s"a vertex has $WireWords words, not ${w.length}")
-    def signed11(v: Int) = (v & 0x7ff) << 21 >> 21
+    import VertexLayout._
     PackedVertex(
-      x = w(0).toShort,
-      y = w(1).toShort,
-      z = w(2),
-      qMantissa = w(3),
-      qExponent = w(4) >> 11,
-      s = (signed11(w(4)) << 16) | w(5),
-      t = (signed11(w(6)) << 16) | w(7),
-      r = w(8) >> 8,
-      g = w(8) & 255,
-      b = w(9) >> 8,
-      a = w(9) & 255
+      x = X.of(w),
+      y = Y.of(w),
+      z = Z.of(w),
+      qMantissa = QMantissa.of(w),
+      qExponent = QExponent.of(w),
+      s = S.of(w),
+      t = T.of(w),
+      r = R.of(w),
+      g = G.of(w),
+      b = B.of(w),
+      a = A.of(w)
     )
   }
 

@@ -1,5 +1,7 @@
 package frustum.contract.raster
 
+import frustum.contract.Field
+
 /** How texture coordinates outside 0..1 are mapped back into the texture. */
 sealed abstract class Wrap(val code: Int)
 object Wrap {
@@ -14,6 +16,7 @@ sealed abstract class TexelFormat(val code: Int)
 object TexelFormat {
   case object Rgb565 extends TexelFormat(0)
   case object Rgba4444 extends TexelFormat(1)
+  val all: Seq[TexelFormat] = Seq(Rgb565, Rgba4444)
 }
 
 /** How texel and vertex colour make the fragment's colour (OpenGL's texture environment). */
@@ -22,6 +25,7 @@ object Combine {
   case object ColorOnly extends Combine(0)
   case object Replace extends Combine(1)
   case object Modulate extends Combine(2)
+  val all: Seq[Combine] = Seq(ColorOnly, Replace, Modulate)
 }
 
 /** OpenGL's eight depth functions as the set of {less, equal, greater} that passes. */
@@ -46,8 +50,13 @@ final case class TextureRef(base: Int, log2Width: Int, log2Height: Int, format: 
   def width: Int = 1 << log2Width
   def height: Int = 1 << log2Height
 }
+object TextureRef {
 
-/** Everything the fragment stages need to know of a triangle, one 32-bit word.
+  /** Of a side, which the state's word gives as what it has more. */
+  val LeastLog2 = 3
+}
+
+/** Everything the fragment stages need to know of a triangle; on the wire a [[RenderStateLayout]].
   *
   * @param alphaRef a fragment passes the alpha test when its five-bit alpha is at least this; 0 turns the test off
   * @param blend    source-alpha blending: source * alpha + destination * (1 - alpha)
@@ -65,17 +74,55 @@ final case class RenderState(
   require(alphaRef >= 0 && alphaRef < 32, s"alpha reference $alphaRef is outside 0..31")
   require(texture.isDefined || combine == Combine.ColorOnly, s"$combine needs a texture")
 
-  /** Two 16-bit words of the wire. */
+  /** The words of the wire; without a texture, the fields that tell of one are 0. */
   def words: Seq[Int] = {
-    val t = texture.getOrElse(TextureRef(0, 3, 3, TexelFormat.Rgb565))
-    Seq(
-      t.base | (t.log2Width - 3) << 9 | (t.log2Height - 3) << 12 | t.format.code << 15,
-      wrapS.code | wrapT.code << 2 | combine.code << 4 | depth.code << 6 |
-        (if (depthWrite) 1 << 9 else 0) | (if (blend) 1 << 10 else 0) | alphaRef << 11
+    import RenderStateLayout._
+    def ofTexture(of: TextureRef => Int) = texture.fold(0)(of)
+    def flag(set: Boolean) = if (set) 1 else 0
+    encode(
+      TextureBase -> ofTexture(_.base),
+      Log2Width -> ofTexture(_.log2Width - TextureRef.LeastLog2),
+      Log2Height -> ofTexture(_.log2Height - TextureRef.LeastLog2),
+      Format -> ofTexture(_.format.code),
+      WrapS -> wrapS.code,
+      WrapT -> wrapT.code,
+      CombineMode -> combine.code,
+      DepthTest -> depth.code,
+      DepthWrite -> flag(depthWrite),
+      Blend -> flag(blend),
+      AlphaRef -> alphaRef
     )
   }
 }
 
 object RenderState {
+
+  /** States that the store holds. */
   val Count = 16
+
+  /** The state of these words of the wire. What names no texture has none where none is needed.
+    *
+    * Throws IllegalArgumentException for a code that stands for nothing.
+    */
+  def decode(w: Seq[Int]): RenderState = {
+    import RenderStateLayout._
+    def coded[A](field: Field, all: Seq[A])(code: A => Int): A = all.find(code(_) == field.of(w)).getOrElse(
+      throw new IllegalArgumentException(s"render state: ${field.of(w)} is no code of ${field.name}")
+    )
+    val combine = coded(CombineMode, Combine.all)(_.code)
+    val unnamed = combine == Combine.ColorOnly && Seq(TextureBase, Log2Width, Log2Height, Format).forall(_.of(w) == 0)
+    def sideOf(field: Field) = field.of(w) + TextureRef.LeastLog2
+    RenderState(
+      texture =
+        if (unnamed) None
+        else Some(TextureRef(TextureBase.of(w), sideOf(Log2Width), sideOf(Log2Height), coded(Format, TexelFormat.all)(_.code))),
+      wrapS = coded(WrapS, Wrap.all)(_.code),
+      wrapT = coded(WrapT, Wrap.all)(_.code),
+      combine = combine,
+      depth = DepthFunction.decode(DepthTest.of(w)),
+      depthWrite = DepthWrite.of(w) == 1,
+      blend = Blend.of(w) == 1,
+      alphaRef = AlphaRef.of(w)
+    )
+  }
 }

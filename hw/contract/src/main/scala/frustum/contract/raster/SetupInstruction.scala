@@ -11,8 +11,8 @@ package frustum.contract.raster
   * `b` must stay below 2^31 - 2^15: the engine multiplies by b's upper half rounded and its lower half signed.
   */
 final case class SetupInstruction(
-    a: Int,
-    b: Int,
+    a: SetupWord,
+    b: SetupWord,
     start: SetupInstruction.Start,
     subtract: Boolean,
     result: SetupInstruction.Result,
@@ -36,13 +36,22 @@ object SetupInstruction {
   /** Where the accumulator goes. Integers are bits 31..0, fractions (of 30 places) bits 45..14, gradients fractions
     * or, where the triangle is a sliver, integers.
     */
-  sealed abstract class Result(val code: Int)
+  sealed abstract class Result(val code: Int) {
+
+    /** The word that is written. */
+    def word: Option[SetupWord] = this match {
+      case Integer(w)  => Some(w)
+      case Fraction(w) => Some(w)
+      case Checked(w)  => Some(w)
+      case _           => None
+    }
+  }
   case object Nowhere extends Result(0)
-  final case class Integer(word: Int) extends Result(1)
-  final case class Fraction(word: Int) extends Result(2)
+  final case class Integer(to: SetupWord) extends Result(1)
+  final case class Fraction(to: SetupWord) extends Result(2)
 
   /** An integer that must fit 30 bits, otherwise the triangle is a sliver. */
-  final case class Checked(word: Int) extends Result(3)
+  final case class Checked(to: SetupWord) extends Result(3)
   final case class GradientX(plane: Int) extends Result(4)
   final case class GradientY(plane: Int) extends Result(5)
 
@@ -55,20 +64,17 @@ object SetupInstruction {
   final case class Edge(edge: Int) extends Result(7)
 
   /** Bits of an instruction word: far 1, a is `Top` 1, a is `Left` 1, result code 3, target 7, start 2, subtract 1, b 7, a 7.
-    * Words are named by [[SetupWords.code]].
+    * Words are named by [[SetupMemory.code]].
     */
   val WordBits = 30
-  def encode(i: SetupInstruction, planes: Seq[Int]): Int = {
-    def code(word: Int) = SetupWords.code(word, planes)
+  def encode(i: SetupInstruction, memory: SetupMemory): Int = {
+    import memory.code
     val target = i.result match {
-      case Nowhere      => 0
-      case Integer(w)   => code(w)
-      case Fraction(w)  => code(w)
-      case Checked(w)   => code(w)
       case GradientX(p) => p
       case GradientY(p) => p
       case Initial(p)   => p
       case Edge(e)      => e
+      case other        => other.word.fold(0)(code)
     }
     def bit(b: Boolean, at: Int) = (if (b) 1 else 0) << at
     bit(i.far, 29) | bit(i.a == SetupWords.Top, 28) | bit(

@@ -15,9 +15,9 @@ import SetupWords._
 final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
   private def textured = planes.contains(PlaneQ)
   private val nop = SetupInstruction(One, One, Keep, subtract = false, Nowhere)
-  private def mac(a: Int, b: Int, start: Start = Keep, to: Result = Nowhere) =
+  private def mac(a: SetupWord, b: SetupWord, start: Start = Keep, to: Result = Nowhere) =
     SetupInstruction(a, b, start, subtract = false, to)
-  private def macn(a: Int, b: Int, start: Start = Keep, to: Result = Nowhere) =
+  private def macn(a: SetupWord, b: SetupWord, start: Start = Keep, to: Result = Nowhere) =
     SetupInstruction(a, b, start, subtract = true, to)
 
   /** Twice the area: dx1 dy2 - dx2 dy1. */
@@ -37,7 +37,7 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
     )
     val guess = Seq(mac(Guess, ThreeHalves, Round), macn(Guess, AreaNormal, to = Fraction(x)))
     val depthsOf = (0 to 2).map(v => mac(q(v), scale(v), Zero, Integer(q(v))))
-    def products(raw: Int => Int, plane: Int) =
+    def products(raw: Int => SetupWord, plane: Int) =
       mac(q(0), raw(0), Round, Fraction(value(plane))) +:
         Seq(1 -> delta1(plane), 2 -> delta2(plane)).flatMap { case (v, d) =>
           Seq(mac(q(v), raw(v), Round), macn(q(0), raw(0), to = Fraction(d)))
@@ -65,11 +65,11 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
 
   /** Gradients of the edge functions, 16 A and 16 B, shifted like the area; they show whether the triangle is a sliver. */
   val steps: Seq[SetupInstruction] =
-    Seq(DY2_16, DX2_16, DY1_16, DX1_16).zip(Temporary).map { case (from, to) => mac(from, Shift4, Zero, Checked(to)) }
+    Seq(DY2_16, DX2_16, DY1_16, DX1_16).zip(Steps).map { case (from, to) => mac(from, Shift4, Zero, Checked(to)) }
 
   /** Gradients of the lambdas, then of every plane. */
   val gradients: Seq[SetupInstruction] = {
-    val Seq(ty2, tx2, ty1, tx1) = Temporary
+    val Seq(ty2, tx2, ty1, tx1) = Steps
     Seq(
       mac(Reciprocal, ty2, Round, Fraction(L1X)),
       macn(Reciprocal, tx2, Round, Fraction(L1Y)),
@@ -124,16 +124,15 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
     * because a no-operation would disturb one under way.
     */
   private def schedule(program: Seq[SetupInstruction]): Seq[SetupInstruction] = {
-    def written(i: SetupInstruction) = i.result match {
-      case Integer(w) => Some(w); case Fraction(w) => Some(w); case Checked(w) => Some(w); case _ => None
-    }
     val groups = program.foldLeft(Vector.empty[Vector[SetupInstruction]]) { (done, i) =>
       if (i.start == Keep) done.init :+ (done.last :+ i) else done :+ Vector(i)
     }
     groups.foldLeft(Vector.empty[SetupInstruction]) { (done, group) =>
       def ready(at: Int) = group.zipWithIndex.forall { case (i, k) =>
         Seq(i.a, i.b).forall(w =>
-          (at + k - ResultLatency + 1 until at).forall(n => n < 0 || n >= done.length || !written(done(n)).contains(w))
+          (at + k - ResultLatency + 1 until at).forall(n =>
+            n < 0 || n >= done.length || !done(n).result.word.contains(w)
+          )
         )
       }
       val at = Iterator.from(done.length).find(ready).get

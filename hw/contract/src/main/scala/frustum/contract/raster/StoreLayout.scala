@@ -2,18 +2,31 @@ package frustum.contract.raster
 
 /** Where things lie in the scene store, in 32-bit words. The store has two banks: one is filled while the other is drawn.
   *
-  *   - vertex i, 5 words at `5 i`: {x, y}, {z, qMantissa}, {qExponent:5, -:2, s:25}, {tag:7, t:25}, {r, g, b, a},
-  *     the first-named field in the most significant bits; `tag` is the frame number modulo 128
-  *   - triangle i, 2 words at `triangles + 2 i`: {-:2, v0:10, v1:10, v2:10}, {state:4, -:8, x0:5, x1:5, y0:5, y1:5},
-  *     the last four being its bounding box in tiles, clipped to the screen
-  *   - render state i, 1 word at `states + i`: {first word, second word} of RenderState.words
+  * An address is put together from the bits of an index and of a word's number, without an adder.
   */
 final case class StoreLayout(config: RasterConfig) {
-  val vertexWords: Int = 5
-  val triangleWords: Int = 2
-  val triangles: Int = vertexWords * config.maxVertices
-  val states: Int = triangles + triangleWords * config.maxTriangles
-  val bankWords: Int = states + RenderState.Count
+  val vertexWords: Int = StoredVertex.words
+  val triangleWords: Int = StoredTriangle.words
+  val stateWords: Int = StoredState.words
+  private val stateBits = 31 - Integer.numberOfLeadingZeros(RenderState.Count)
+  val states: Int = aligned(vertexWords << config.vertexBits, powerOfTwo(stateWords) << stateBits)
+  val triangles: Int = aligned(states + (stateWords << stateBits), triangleWords << config.triangleBits)
+  val bankWords: Int = triangles + triangleWords * config.maxTriangles
   val addressBits: Int = 1 + bankAddressBits
   def bankAddressBits: Int = 32 - Integer.numberOfLeadingZeros(bankWords - 1)
+  require(triangleWords == powerOfTwo(triangleWords), s"a triangle has $triangleWords words, no power of two")
+
+  /** Where the words of a [[StoredVertex]], a [[StoredTriangle]] and a [[StoredState]] lie. */
+  def vertex(index: Int, word: Int): Int = word << config.vertexBits | index
+  def state(index: Int, word: Int): Int = states | word << stateBits | index
+  def triangle(index: Int, word: Int): Int = triangles | triangleWords * index | word
+
+  /** The bits that mean something of the word at an address. */
+  def mask(address: Int): Int =
+    if (address >= triangles) StoredTriangle.mask((address - triangles) % triangleWords)
+    else if (address >= states) StoredState.mask(address - states >> stateBits)
+    else StoredVertex.mask(address >> config.vertexBits)
+
+  private def powerOfTwo(n: Int) = if (n == 1) 1 else 1 << (32 - Integer.numberOfLeadingZeros(n - 1))
+  private def aligned(from: Int, unit: Int) = (from + unit - 1) / unit * unit
 }

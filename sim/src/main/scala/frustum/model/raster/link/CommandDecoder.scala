@@ -1,6 +1,20 @@
 package frustum.model.raster.link
 
-import frustum.contract.raster.{Command, PackedVertex, RasterConfig, RenderState, StoreLayout, TileRegion}
+import frustum.contract.raster.{
+  BeginLayout,
+  Command,
+  PackedTriangle,
+  PackedVertex,
+  RasterConfig,
+  RenderState,
+  StateHeadLayout,
+  StoreLayout,
+  StoredTriangle,
+  StoredVertex,
+  TexelsHeadLayout,
+  TileRegion,
+  TriangleLayout
+}
 import scala.collection.mutable.ArrayBuffer
 
 /** A job as handed to the rasterizer, with a copy of its bank. */
@@ -8,7 +22,7 @@ final case class Job(bank: Int, triangleCount: Int, clearColor: Int, region: Til
 
 /** What a checked command does, see [[frustum.raster.link.CommandDecoder]]. Waiting is not modelled: it changes no result.
   *
-  * Words of a bank that were never written are [[CommandDecoder.Unwritten]], fields marked `-` in the layout are 0.
+  * Words of a bank that were never written are [[CommandDecoder.Unwritten]], spare bits are 0.
   */
 final class CommandDecoder(config: RasterConfig) {
   val layout = StoreLayout(config)
@@ -42,10 +56,10 @@ final class CommandDecoder(config: RasterConfig) {
   }
 
   private def begin(w: Seq[Int]): Boolean = {
-    val Seq(x0, x1, y0, y1) = w.drop(2).flatMap(v => Seq(v >> 8, v & 255))
-    open = config.clearColor.forall(_ == w(1)) && x0 <= x1 && x1 < config.tilesX && y0 <= y1 && y1 < config.tilesY
-    tag = w(0) & 127
-    clearColor = w(1)
+    val Seq(x0, x1, y0, y1) = Seq(BeginLayout.X0, BeginLayout.X1, BeginLayout.Y0, BeginLayout.Y1).map(_.of(w))
+    clearColor = BeginLayout.ClearColor.of(w)
+    open = config.clearColor.forall(_ == clearColor) && x0 <= x1 && x1 < config.tilesX && y0 <= y1 && y1 < config.tilesY
+    tag = BeginLayout.Frame.of(w) & StoredVertex.Tag.ones
     region = TileRegion(x0, y0, x1, y1)
     vertices = 0
     triangles = 0
@@ -54,73 +68,88 @@ final class CommandDecoder(config: RasterConfig) {
   }
 
   private def writeState(w: Seq[Int]): Boolean = {
-    val word = w(2) << 16 | w(1)
-    val inRange = w(0) < RenderState.Count && ((word ^ config.fixed.value) & config.fixed.mask) == 0
-    if (inRange && !config.fixed.whole) banks(bank)(layout.states + w(0)) = pair(w(1), w(2))
+    val (index, state) = (StateHeadLayout.Index.of(w), w.drop(StateHeadLayout.words))
+    val inRange = index < RenderState.Count && config.fixed.accepts(state)
+    if (inRange && !config.fixed.whole) store(pairs(state))(layout.state(index, _))
     inRange
   }
 
-  private def pair(high: Int, low: Int): Long = (high.toLong << 16) | low
+  /** Words of the wire in pairs, the first in the upper half. */
+  private def pairs(w: Seq[Int]): IndexedSeq[Int] =
+    w.grouped(2).map(p => p.head << 16 | p.lift(1).getOrElse(0)).toIndexedSeq
+
+  private def store(words: Seq[Int])(address: Int => Int): Unit =
+    for ((word, n) <- words.zipWithIndex) banks(bank)(address(n)) = word & 0xffffffffL
 
   private def writeVertices(first: Int, w: Seq[Int]): Unit =
     for ((v, i) <- w.grouped(PackedVertex.WireWords).zipWithIndex) {
       vertices = (vertices + 1) & 0xfff
       val index = first + i
       if (index >= config.maxVertices) verticesRefused += 1
-      else writeVertex(layout.vertexWords * index, v)
+      else writeVertex(index, v)
     }
 
   /** The words are checked as they come; from the first one out of range on nothing is written but a tag that differs. */
-  private def writeVertex(at: Int, v: Seq[Int]): Unit = {
-    val out = (0 until 5).map(p => outOfRange(v, 2 * p + 2))
-    val words = IndexedSeq(
-      pair(v(0), v(1)),
-      pair(v(2), v(3)),
-      pair(v(4), v(5)) & ~(3L << 25),
-      (pair(v(6), v(7)) & 0x1ffffff) | (tag ^ (if (out(3)) 64 else 0)).toLong << 25,
-      pair(v(8), v(9))
-    )
-    for (p <- words.indices if p == 3 || !out(p)) banks(bank)(at + p) = words(p)
+  private def writeVertex(index: Int, v: Seq[Int]): Unit = {
+    val out = (0 until layout.vertexWords).map(p => outOfRange(v, 2 * p + 2))
+    val otherTag = tag ^ (StoredVertex.Tag.ones + 1) / 2
+    for ((pair, p) <- pairs(v).zipWithIndex) {
+      val word = pair & StoredVertex.mask(p)
+      def put(word: Int) = store(Seq(word))(_ => layout.vertex(index, p))
+      if (p == CommandDecoder.tagWord) put(StoredVertex.Tag.into(word, if (out(p)) otherTag else tag))
+      else if (!out(p)) put(word)
+    }
     if (out.last) verticesRefused += 1
   }
 
   /** Whether the first `known` words of a vertex suffice to refuse it: what is not known is taken to be in range. */
   private def outOfRange(v: Seq[Int], known: Int): Boolean =
-    PackedVertex.decode(v.take(known) ++ Seq(
-      0, 0, 0, 0x8000, 0, 0, 0, 0, 0, 0
-    ).drop(known)).fault(config.ranges).isDefined
+    PackedVertex.decode(v.take(known) ++ CommandDecoder.harmless.drop(known)).fault(config.ranges).isDefined
 
   private def writeTriangles(state: Int, w: Seq[Int]): Boolean = {
     val inRange = state < RenderState.Count
-    if (inRange) w.grouped(2).foreach(t => writeTriangle(state, pair(t(0), t(1)) & 0x3fffffff))
+    if (inRange) w.grouped(TriangleLayout.words).foreach(t => writeTriangle(PackedTriangle.decode(state, t)))
     inRange
   }
 
-  private def writeTriangle(state: Int, indices: Long): Unit = {
+  private def writeTriangle(t: PackedTriangle): Unit = {
     triangles = (triangles + 1) & 0xfff
-    val corners = Seq(20, 10, 0).map(shift => ((indices >> shift) & 1023).toInt)
+    val corners = Seq(t.v0, t.v1, t.v2)
+    def vertex(index: Int) = (0 until layout.vertexWords).map(w => banks(bank)(layout.vertex(index, w)))
     val sent = corners.forall { v =>
-      v < config.maxVertices && banks(bank)(layout.vertexWords * v + 3) != CommandDecoder.Unwritten &&
-      (banks(bank)(layout.vertexWords * v + 3) >> 25) == tag
+      v < config.maxVertices && vertex(v)(CommandDecoder.tagWord) != CommandDecoder.Unwritten &&
+      StoredVertex.Tag.of(vertex(v).map(_.toInt)) == tag
     }
     if (!sent) trianglesRefused += 1
     else {
-      val xy = corners.map(v => banks(bank)(layout.vertexWords * v))
-      TriangleBox(config, xy.map(w => (w >> 16).toShort.toInt), xy.map(_.toShort.toInt)).foreach { box =>
+      val words = corners.map(vertex(_).map(_.toInt))
+      TriangleBox(config, words.map(StoredVertex.X.of), words.map(StoredVertex.Y.of)).foreach { box =>
         if (stored == config.maxTriangles) trianglesRefused += 1
         else {
-          val at = layout.triangles + layout.triangleWords * stored
-          banks(bank)(at) = indices
-          banks(bank)(at + 1) = state.toLong << 28 | box.x0 << 15 | box.x1 << 10 | box.y0 << 5 | box.y1
+          store(storedTriangle(t, box))(layout.triangle(stored, _))
           stored += 1
         }
       }
     }
   }
 
-  /** In units of 16 texels; what does not fit the memory is not written. */
+  private def storedTriangle(t: PackedTriangle, tiles: TileRegion): Seq[Int] = {
+    import StoredTriangle._
+    encode(
+      V0 -> t.v0,
+      V1 -> t.v1,
+      V2 -> t.v2,
+      State -> t.state,
+      X0 -> tiles.x0,
+      X1 -> tiles.x1,
+      Y0 -> tiles.y0,
+      Y1 -> tiles.y1
+    )
+  }
+
+  /** What does not fit the memory is not written. */
   private def writeTexels(address: Int, data: Seq[Int]): Boolean = {
-    val first = address * 16
+    val first = address * TexelsHeadLayout.Unit
     for ((d, i) <- data.zipWithIndex if first + i < config.textureTexels) texels(first + i) = d
     first + data.length <= config.textureTexels
   }
@@ -135,4 +164,10 @@ final class CommandDecoder(config: RasterConfig) {
 
 object CommandDecoder {
   val Unwritten: Long = -1
+
+  /** Of a vertex. */
+  private val tagWord = StoredVertex.Tag.slice.word
+
+  /** The words of a vertex that nothing is wrong with. */
+  private val harmless = PackedVertex(0, 0, 0, 32768, 0, 0, 0, 0, 0, 0, 0).words
 }

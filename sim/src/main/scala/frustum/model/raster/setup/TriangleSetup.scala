@@ -1,6 +1,6 @@
 package frustum.model.raster.setup
 
-import frustum.contract.raster.{PackedVertex, SetupInstruction, SetupProgram, SetupWords}
+import frustum.contract.raster.{PackedVertex, SetupInstruction, SetupProgram, SetupWord, SetupWords}
 import frustum.contract.raster.SetupInstruction._
 import frustum.contract.raster.SetupWords._
 
@@ -10,8 +10,14 @@ import frustum.contract.raster.SetupWords._
   */
 final class TriangleSetup(planes: Seq[Int] = SetupWords.AllPlanes) {
   private val program = SetupProgram(planes)
-  private val word = new Array[Int](Shared + SharedWords)
-  SetupWords.constants.foreach { case (at, value) => word(at) = value }
+
+  /** The scratch words, each with a place of its own: the hardware's must be as good. */
+  private object word {
+    private val values = SetupWords.all.map(_.kind).map { case SetupWord.Constant(v) => v; case _ => 0 }.toArray
+
+    def apply(w: SetupWord): Int = values(w.index)
+    def update(w: SetupWord, value: Int): Unit = values(w.index) = value
+  }
 
   private var accumulator = 0L
   private var sliver = false

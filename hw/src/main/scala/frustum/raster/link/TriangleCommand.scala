@@ -1,0 +1,92 @@
+package frustum.raster.link
+
+import frustum.contract.raster.{RasterConfig, StoreLayout, StoredTriangle, StoredVertex, TrianglesHeadLayout}
+import frustum.raster.store.FieldBits
+import frustum.raster.store.FieldBits._
+import spinal.core._
+import spinal.lib._
+
+/** Executes `triangles`: has the tags and positions of a triangle's corners read, and writes the triangle if its corners
+  * belong to the frame and something of it is on the screen. About 50 clocks a triangle.
+  *
+  * The corners are read last corner first, see [[TriangleAssembly]]; `turn` brings the next corner's index to where the
+  * last one's was.
+  */
+case class TriangleCommand(config: RasterConfig) extends Component {
+  val layout = StoreLayout(config)
+  val io = new Bundle {
+    val up = slave(GroupPort())
+    val turn = out Bool ()
+    val tag = in Bits (StoredVertex.Tag.width bits)
+    val fresh = in Bool () // no triangle of the frame has come yet
+    val reads = master(Stream(UInt(layout.bankAddressBits bits)))
+    val answer = slave(Flow(Bits(32 bits)))
+    val writes = master(Stream(StoreWrite(layout)))
+    val arrived = out(Reg(UInt(CommandDecoder.CountBits bits)))
+    val stored = out(Reg(UInt(config.countBits bits))) // in the bank
+    val refused = out Bool ()
+  }
+  object State extends SpinalEnum(binaryOneHot) {
+    val idle, read, response, settle, axisDone, indices, box = newElement()
+  }
+  val state = RegInit(State.idle)
+  val group = io.up.group
+  val renderState = Reg(Bits(StoredTriangle.State.width bits))
+  val askedState = TrianglesHeadLayout.State.in(group.single)
+  val noSuchState = RegNext(askedState.dropLow(renderState.getWidth).orR) // their number is a power of two
+  val corner = StoredTriangle.V2.in(group.words).asUInt
+  val full = RegNext(io.stored === config.maxTriangles)
+  val triangle = new TriangleAssembly(config, io.tag, corner, io.answer.payload, state === State.response)
+  val refused = triangle.stale || (!triangle.nothing && full)
+  val done = False // with the triangle in hand
+
+  io.reads.valid := state === State.read
+  io.reads.payload := StoreAddress.vertex(layout, corner, triangle.word)
+  io.writes.valid := state === State.indices || state === State.box
+  io.writes.address := StoreAddress.triangle(layout, io.stored, (state === State.box).asUInt)
+  io.writes.data := group.words
+  when(state === State.box) {
+    StoredTriangle.State.put(io.writes.data, renderState)
+    FieldBits.putAll(StoredTriangle.box, io.writes.data, triangle.boxBits)
+  }
+  io.turn := False
+  io.refused := False
+  io.up.refuse := group.first && noSuchState
+  group.ready := group.first || done
+
+  when(group.valid && group.first)(renderState := askedState.resized)
+  when(io.fresh) {
+    io.arrived := 0
+    io.stored := 0
+  }
+  switch(state) {
+    is(State.idle) {
+      triangle.start()
+      when(group.valid && !group.first)(state := State.read)
+    }
+    is(State.read)(when(io.reads.ready)(state := State.response))
+    is(State.response) {
+      triangle.answer()
+      io.turn := triangle.cornerDone
+      state := Mux(triangle.cornerDone && triangle.lastCorner, State.settle(), State.read())
+    }
+    is(State.settle)(when(triangle.settle())(state := State.axisDone))
+    is(State.axisDone) {
+      when(!triangle.vertical) {
+        triangle.turnVertical()
+        state := State.read
+      } otherwise {
+        io.arrived := io.arrived + 1
+        io.refused := refused
+        state := State.indices
+        when(refused || triangle.nothing)(done := True)
+      }
+    }
+    is(State.indices)(when(io.writes.ready)(state := State.box))
+    is(State.box)(when(io.writes.ready) {
+      io.stored := io.stored + 1
+      done := True
+    })
+  }
+  when(done)(state := State.idle)
+}
