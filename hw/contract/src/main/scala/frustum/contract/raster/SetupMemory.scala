@@ -95,8 +95,8 @@ object SetupMemory {
   private def lives(setUp: Seq[Step], move: Seq[Step]): Map[SetupWord, (Int, Int)] = {
     val all = (setUp ++ move).zipWithIndex
     val uses = all.flatMap { case (s, at) => s.writes.map(_ -> (at, true)) ++ s.reads.map(_ -> (at, false)) }
-    uses.filter(_._1.kind == Shared).groupBy(_._1).map { case (word, all) =>
-      val at = all.map(_._2)
+    uses.filter(_._1.kind == Shared).groupBy(_._1).map { case (word, own) =>
+      val at = own.map(_._2)
       val (first, last) = (at.map(_._1).min, at.map(_._1).max)
       require(at.contains((first, true)) && !at.contains((first, false)), s"set-up: $word is read before it is written")
       require(last < setUp.length || first >= setUp.length, s"set-up: $word outlives it outside of the triangle's slot")

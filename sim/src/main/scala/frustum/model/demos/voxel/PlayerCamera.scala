@@ -1,7 +1,6 @@
 package frustum.model.demos.voxel
 
 import frustum.contract.arithmetic.{IntVector, SineTable}
-import frustum.contract.raster.Part
 import frustum.contract.voxel.{VoxelCamera, VoxelConfig}
 import frustum.demos.voxel.{CameraProgram, VoxelRules}
 import frustum.demos.voxel.CameraProgram.{CosPitch, CosYaw, Part, Sine, SinPitch, SinYaw, Value}
