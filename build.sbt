@@ -101,8 +101,9 @@ writeClasspath := {
 }
 
 /** Every command of the workbench by its name in sbt's own shell; alone on the command line ./sbt takes them itself. */
-val commandNames =
-  "demo render verilog bitstream bench pong voxel play budgets chart stability fit mutate".split(' ').toSeq
+// format: off (project/command.sh reads this line)
+val commandNames = "demo render verilog bitstream bench pong voxel play budgets chart stability fit mutate".split(' ').toSeq
+// format: on
 Global / commands ++= commandNames.map { name =>
   Command.args(name, "<args>") { (state, args) =>
     val quoted = args.map(a => if (a.exists(_.isWhitespace)) "\"" + a + "\"" else a)

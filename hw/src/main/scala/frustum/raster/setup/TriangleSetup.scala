@@ -10,9 +10,8 @@ import spinal.lib._
 /** Sets triangles up for the tiles they touch, ahead of the interpolator by two.
   *
   * A triangle met for the first time in a frame is fetched and set up whole. It then keeps its slot until another
-  * triangle takes it, so that in further tiles only the edge functions and the planes' first values are worked out.
+  * triangle takes it, so that in further tiles only the edge functions and the planes' first values are computed.
   *
-  * @param slots triangles kept
   */
 case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech = Tech.Generic) extends Component {
   require(slots >= 3 && slots <= 6, s"TriangleSetup: $slots slots; from 3 (two are drawn, one is set up) to 6")

@@ -9,6 +9,7 @@ import frustum.files.OutputFile
 import frustum.model.demos.pong.{PongButtons, PongGame}
 import frustum.picture.Picture
 import frustum.play.{AutoPlayer, ButtonFile}
+import frustum.ray.scene.RayConfig
 import java.nio.file.{Files, Path}
 
 /** `pong`: a game on the simulated board, each frame judged, as PNG files and one animated GIF. */
@@ -45,8 +46,10 @@ object PongCommand extends CommandLine {
       throw InputError(
         s"$scene: its images need $need kbit, the ${part.name} of ${o.board.top} has ${part.blockRamKbit} in its block RAM; take smaller ones"
       )
-    try PongSession.compile(config, o.board)
-    catch {
+    try {
+      RayConfig(config.scene, config.mode) // its numbers are checked before any hardware is made
+      PongSession.compile(config, o.board)
+    } catch {
       case e: IllegalArgumentException =>
         throw InputError(s"$scene: ${e.getMessage.stripPrefix("requirement failed: ")}")
     }
