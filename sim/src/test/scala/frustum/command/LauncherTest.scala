@@ -27,6 +27,7 @@ class LauncherTest extends AnyFunSuite {
       words <- Seq(
         Seq(),
         Seq("test"),
+        Seq("quick"),
         Seq("sim/test"),
         Seq("demo", "test"),
         Seq("clean", "demo"),
@@ -35,5 +36,15 @@ class LauncherTest extends AnyFunSuite {
       )
     )
       assert(!taken(words: _*), words)
+  }
+
+  test("only what simulates has a simulator and a compiler cache installed") {
+    def needs(line: String): String = {
+      val script = ". project/setup.sh; need() { echo \"$*\"; }; want() { echo \"$*\"; }; prepare \"$1\""
+      Seq("bash", "-c", script, "bash", line).!!
+    }
+    for (line <- Seq("test", "sim/testOnly *", "render --scene teapot"); part <- Seq("verilator", "ccache"))
+      assert(needs(line).contains(part), line)
+    for (line <- Seq("quick", "render --engine model")) assert(!needs(line).contains("verilator"), line)
   }
 }
