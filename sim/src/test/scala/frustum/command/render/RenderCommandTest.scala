@@ -1,8 +1,8 @@
 package frustum.command.render
 
+import frustum.budgets.{Budget, BudgetTable}
 import frustum.command.CommandRunner
 import frustum.command.common.Clock
-import frustum.budgets.{Budget, BudgetTable}
 import frustum.contract.raster.{RasterConfig, Wrap}
 import frustum.driver.raster.{DrawOptions, Driver}
 import frustum.engine.raster.{PassEngine, ReferenceRenderer, RenderedFrame}
@@ -46,7 +46,10 @@ class RenderCommandTest extends AnyFunSuite {
       assert(report("snapping").obj.contains(key), key)
     for (key <- Seq("primitiveWrong", "texelsWrong", "judged", "psnr", "flip"))
       assert(report("endToEnd").obj.contains(key), key)
-    assert(Seq("llvmpipe", "world").contains(report("endToEnd")("referee").str) && report("endToEnd")("judged").num > 2000)
+    assert(Seq(
+      "llvmpipe",
+      "world"
+    ).contains(report("endToEnd")("referee").str) && report("endToEnd")("judged").num > 2000)
     assert(Seq(
       "modelVsReference",
       "hardwareVsModel",
@@ -138,8 +141,8 @@ class RenderCommandTest extends AnyFunSuite {
   }
 
   test("a picture beyond the referee's bound is a failure with exit code 1") {
-    val good  = figures(0)
-    val e     = good.endToEnd.get
+    val good = figures(0)
+    val e = good.endToEnd.get
     val table = Files.createTempFile("budgets", ".json")
     BudgetTable(Seq(Budget(Budget.AnyPicture, "endToEnd.unexplainedPercent", bound = 0.05, today = 0))).write(table)
     def beyond(wrong: Long) = {
@@ -148,11 +151,17 @@ class RenderCommandTest extends AnyFunSuite {
     }
     assert(beyond(0).isEmpty && beyond(30).length == 1)
     val apart = e.copy(counts = e.counts.copy(referee = "llvmpipe", refereesDiffer = e.counts.judged / 10))
-    assert(EndToEndBounds.failures(EndToEndBounds.ofAny(apart), apart, table).head.contains("llvmpipe and float64 differ"))
+    assert(EndToEndBounds.failures(
+      EndToEndBounds.ofAny(apart),
+      apart,
+      table
+    ).head.contains("llvmpipe and float64 differ"))
     val report = java.nio.file.Paths.get("r.json")
-    val err    = new java.io.ByteArrayOutputStream
+    val err = new java.io.ByteArrayOutputStream
     Console.withErr(err)(assert(good.verdict(report, beyond(30)) == 1))
-    assert(err.toString.startsWith("error: cube: end to end: unexplainedPercent is") && err.toString.linesIterator.length == 1)
+    assert(err.toString.startsWith(
+      "error: cube: end to end: unexplainedPercent is"
+    ) && err.toString.linesIterator.length == 1)
   }
 
   test("an infinite PSNR is null") {
