@@ -17,12 +17,10 @@ import spinal.lib._
   * A frame is drawn while the next one arrives in the store's other bank. No port may be left waiting for ever except
   * `pixels`, whose sink sets the pace.
   *
-  * @param slots        triangles kept set up from tile to tile, see [[frustum.raster.setup.TriangleSetup]]
   * @param dropWhenFull see [[frustum.raster.link.Framer]]: true behind a source that cannot wait, such as an SPI slave
   */
 case class RasterPipeline(
     config: RasterConfig,
-    slots: Int = 6,
     dropWhenFull: Boolean = true,
     tech: Tech = Tech.Generic
 ) extends Component {
@@ -39,7 +37,7 @@ case class RasterPipeline(
   }
   val link = CommandLink(config, dropWhenFull = dropWhenFull)
   val store = Store(StoreLayout(config), clients = 4, tech)
-  val rasterizer = Rasterizer(config, slots, tech)
+  val rasterizer = Rasterizer(config, tech)
   val fragments = FragmentPipeline(config, tech)
 
   link.io.bytes << io.bytes

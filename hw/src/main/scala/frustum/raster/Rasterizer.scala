@@ -11,27 +11,24 @@ import spinal.lib._
 
 /** From a frame in the store to its fragments, tile by tile.
   *
-  * {{{ frame -> TileSequencer -> TriangleSetup (with EdgeWalker) -> RenderStateLoader -> Interpolator -> fragments }}}
-  *
-  * @param slots triangles that stay set up, see [[TriangleSetup]]
-  */
-case class Rasterizer(config: RasterConfig, slots: Int, tech: Tech = Tech.Generic) extends Component {
+  * {{{ frame -> TileSequencer -> TriangleSetup (with EdgeWalker) -> RenderStateLoader -> Interpolator -> fragments }}} */
+case class Rasterizer(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val layout = StoreLayout(config)
   val io = new Bundle {
-    val frame = slave Stream (FrameJob(config))
+    val frame = slave(Stream(FrameJob(config)))
 
     /** Clients of the scene store, the most urgent first: set-up, render state, sequencer. */
     val stores = Vec(master(StoreBus(layout)), 3)
-    val tile = master Stream (TilePosition())
+    val tile = master(Stream(TilePosition()))
     val state = out(RenderStateWord())
     val draining = in Bool () // fragments in flight after `down`
-    val down = master Stream (InterpolatedFragment(config))
+    val down = master(Stream(InterpolatedFragment(config)))
     val setUp, moved = out Bool () // pulses, see TriangleSetup
   }
   val sequencer = TileSequencer(config)
-  val setup = TriangleSetup(config, slots, tech)
-  val loader = RenderStateLoader(config, slots)
-  val interpolator = Interpolator(config, slots)
+  val setup = TriangleSetup(config, tech)
+  val loader = RenderStateLoader(config)
+  val interpolator = Interpolator(config)
   val flush = RegNext(!io.frame.valid, True)
 
   sequencer.io.frame << io.frame

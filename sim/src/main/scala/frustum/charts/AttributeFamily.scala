@@ -27,8 +27,7 @@ object AttributeFamily extends ChartFamily {
 
   def charts(costs: Option[UnitCosts]): Seq[Chart] = {
     def unit(n: Int) = costs.map(_.timed(s"interpolator without $n bits")(Interpolator(
-      RasterConfig(formats = PlaneFormats(coordinate = n)),
-      slots = 6
+      RasterConfig(formats = PlaneFormats(coordinate = n))
     )))
     val units = dropped.map(n => n -> unit(n))
     val points = for (scene <- scenes; (n, unit) <- units)

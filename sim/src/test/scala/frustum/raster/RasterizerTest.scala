@@ -13,7 +13,6 @@ import frustum.contract.raster.{
   StoredVertex,
   TileRegion
 }
-import frustum.device.Tech
 import frustum.harness.{FrustumSim, Simulated}
 import frustum.model
 import frustum.raster.scan.InterpolatedFragment
@@ -32,17 +31,17 @@ import scala.util.Random
   *
   * @param latency clocks from a read to its answer
   */
-case class RasterizerBench(config: RasterConfig, slots: Int, latency: Int) extends Component {
+case class RasterizerBench(config: RasterConfig, latency: Int) extends Component {
   val layout = StoreLayout(config)
   val io = new Bundle {
-    val frame = slave Stream (FrameJob(config))
-    val tile = master Stream (TilePosition())
+    val frame = slave(Stream(FrameJob(config)))
+    val tile = master(Stream(TilePosition()))
     val state = out(RenderStateWord())
-    val down = master Stream (InterpolatedFragment(config))
+    val down = master(Stream(InterpolatedFragment(config)))
     val stall = in Bits (3 bits)
     val setUp, moved = out Bool ()
   }
-  val unit = Rasterizer(config, slots, Tech.Generic)
+  val unit = Rasterizer(config)
   val store = Mem(Bits(32 bits), 1 << layout.addressBits).simPublic()
   io.frame >> unit.io.frame
   unit.io.tile >> io.tile
@@ -109,17 +108,16 @@ class RasterizerTest extends AnyFunSuite with Simulated {
   }
 
   private val benches = collection.mutable.Map.empty[Any, SimCompiled[RasterizerBench]]
-  private def compiled(config: RasterConfig, slots: Int, latency: Int) = benches.getOrElseUpdate(
-    (config, slots, latency), {
+  private def compiled(config: RasterConfig, latency: Int) = benches.getOrElseUpdate(
+    (config, latency), {
       val name =
-        s"RasterizerBench_${config.width}x${config.height}_${config.tileWidth}x${config.tileHeight}_${slots}_$latency"
-      FrustumSim.compile(name)(RasterizerBench(config, slots, latency))
+        s"RasterizerBench_${config.width}x${config.height}_${config.tileWidth}x${config.tileHeight}_${config.slots}_$latency"
+      FrustumSim.compile(name)(RasterizerBench(config, latency))
     }
   )
 
   private def check(
       config: RasterConfig,
-      slots: Int,
       latency: Int,
       passes: Seq[FramePass],
       stalls: Seq[Double],
@@ -161,7 +159,7 @@ class RasterizerTest extends AnyFunSuite with Simulated {
         }
       )
     }
-    compiled(config, slots, latency).doSim(seed) { dut =>
+    compiled(config, latency).doSim(seed) { dut =>
       for (rate <- stalls) {
         val got = ArrayBuffer.empty[String]
         var clocks = 0
@@ -241,17 +239,16 @@ class RasterizerTest extends AnyFunSuite with Simulated {
   }
 
   private val usual = RasterConfig(width = 72, height = 40)
-  private val smallest = RasterConfig(width = 41, height = 27, tileLog2Width = 3, tileLog2Height = 3)
-  private val odd = RasterConfig(width = 97, height = 50, tileLog2Width = 5, tileLog2Height = 3)
-  for ((config, slots, latency) <- Seq((usual, 6, 2), (smallest, 3, 1), (odd, 5, 3)))
+  private val smallest = RasterConfig(width = 41, height = 27, tileLog2Width = 3, tileLog2Height = 3, slots = 3)
+  private val odd = RasterConfig(width = 97, height = 50, tileLog2Width = 5, tileLog2Height = 3, slots = 5)
+  for ((config, latency) <- Seq((usual, 2), (smallest, 1), (odd, 3)))
     test(
-      s"fragments equal the model's, tiles of ${config.tileWidth} x ${config.tileHeight}, $slots slots, store answers after $latency clocks"
+      s"fragments equal the model's, tiles of ${config.tileWidth} x ${config.tileHeight}, ${config.slots} slots, store answers after $latency clocks"
     ) {
       val seed = 7
       val r = new Random(seed)
       check(
         config,
-        slots,
         latency,
         Seq(randomPass(r, config, 0, 5), randomPass(r, config, 1, 30), randomPass(r, config, 2, 3)),
         Seq(0.0, 0.4),
@@ -262,6 +259,6 @@ class RasterizerTest extends AnyFunSuite with Simulated {
   test("fragments equal the model's for slivers, needles, huge and degenerate triangles") {
     val seed = 8
     val hard = new HardTriangles(usual, new Random(seed))
-    check(usual, 6, 2, (0 to 2).map(hard.pass(4 * hard.kinds.size, _)), Seq(0.0), seed)
+    check(usual, 2, (0 to 2).map(hard.pass(4 * hard.kinds.size, _)), Seq(0.0), seed)
   }
 }

@@ -7,10 +7,10 @@ import spinal.core._
   *
   * The planes' values at the first pixel of the first span, whose column is `x`, lie in the slot's entry `parity`.
   */
-case class DrawToken(config: RasterConfig, slots: Int) extends Bundle {
+case class DrawToken(config: RasterConfig) extends Bundle {
   val tileEnd = Bool()
   val state = UInt(4 bits) // render state index
-  val slot = UInt(log2Up(slots) bits)
+  val slot = UInt(log2Up(config.slots) bits)
   val parity = Bool()
   val x = UInt(config.tileLog2Width bits)
 }

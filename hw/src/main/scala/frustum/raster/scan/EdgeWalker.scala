@@ -29,11 +29,11 @@ case class EdgeWalker(config: RasterConfig) extends Component {
   val io = new Bundle {
     val lastColumn = in UInt (config.tileLog2Width bits) // of the tile that lie on the screen
     val lastRow = in UInt (config.tileLog2Height bits)
-    val step = slave Flow (SInt(17 bits))
-    val edge = slave Flow (new Bundle { val index = UInt(2 bits); val value = SInt(32 bits) })
+    val step = slave(Flow(SInt(17 bits)))
+    val edge = slave(Flow(new Bundle { val index = UInt(2 bits); val value = SInt(32 bits) }))
     val start = in Bool ()
     val idle = out Bool ()
-    val up = master Stream (Span(config))
+    val up = master(Stream(Span(config)))
   }
 
   object State extends SpinalEnum { val Idle, Prime, Seek, Show, End = newElement() }
@@ -74,7 +74,7 @@ case class EdgeWalker(config: RasterConfig) extends Component {
 
   // Between b and c: whether the edge can move no further. A flat one never moves.
   val isFlat = slope.b === 0
-  val atEnd = (slope.b.msb ^ back.b) ? (position.b === 0) | position.b.andR
+  val atEnd = Mux(slope.b.msb ^ back.b, position.b === 0, position.b.andR)
   val flat = RegNextWhen(isFlat, slope.turn)
   val stop = RegNextWhen(isFlat || atEnd, turn)
 
@@ -82,7 +82,7 @@ case class EdgeWalker(config: RasterConfig) extends Component {
   // outwards from row to row, it looks at the pixel outside of its own, and moves outwards where that is not negative.
   val fromRight = slope.c.msb
   val negative = value.c.msb
-  val move = (negative ^ back.c) ? !stop | (!back.c && !negative && !descent.c.msb)
+  val move = Mux(negative ^ back.c, !stop, !back.c && !negative && !descent.c.msb)
   val mine = seeking && parity.c === row.lsb
   val moves = mine && move
   val finishes = mine && !move
@@ -92,11 +92,11 @@ case class EdgeWalker(config: RasterConfig) extends Component {
 
   // Sixteenths are the same at every pixel centre and are dropped: a zero becomes less where the edge does not own it.
   val addend = RegNextWhen(
-    moves ? (slope.c ^ S(stepBits bits, default -> !add)) | (descent.c | S(stepBits bits, default -> !add)),
+    Mux(moves, slope.c ^ S(stepBits bits, default -> !add), descent.c | S(stepBits bits, default -> !add)),
     turn
   )
   val carry = RegNextWhen(!add && !(priming && back.c && !topLeft), turn)
-  val primer = (priming && fromRight) ? lastColumn | U(lastColumn.range -> (shifts && !add))
+  val primer = Mux(priming && fromRight, lastColumn, U(lastColumn.range -> (shifts && !add)))
   when(turn) {
     position.a := ((position.c @@ True) + (primer @@ (shifts && add))) >> 1
     back.a := back.c && !priming || moves && !negative
@@ -109,8 +109,8 @@ case class EdgeWalker(config: RasterConfig) extends Component {
   val clear = priming || shown
   val first, last = Reg(UInt(config.tileLog2Width bits))
   val none = Reg(Bool()) // no pixel is left
-  val inner = (position.c > (fromRight ? last | first)) ^ fromRight
-  val beyond = fromRight ? (position.c < first) | (position.c > last)
+  val inner = (position.c > Mux(fromRight, last, first)) ^ fromRight
+  val beyond = Mux(fromRight, position.c < first, position.c > last)
   when(clear) {
     first := 0
     last := lastColumn
@@ -143,7 +143,7 @@ case class EdgeWalker(config: RasterConfig) extends Component {
       when(io.up.ready || none) {
         shown := True
         row := row + 1
-        state := (row === lastRow) ? State.End | State.Seek
+        state := Mux(row === lastRow, State.End, State.Seek)
       }
     }
     is(State.End) { when(io.up.ready) { state := State.Idle } }

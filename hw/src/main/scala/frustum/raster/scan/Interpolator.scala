@@ -25,13 +25,13 @@ object Coefficient {
   * so its cost is the edge's lateral move, which the edge walker takes longer for. Coefficients lie in memory, one entry
   * per kind of move, so that an attribute costs an adder and its register.
   */
-case class Interpolator(config: RasterConfig, slots: Int) extends Component {
+case class Interpolator(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val token = slave Stream (DrawToken(config, slots))
-    val spans = slave Stream (Span(config))
-    val write = slave Flow (CoefficientWrite(slots))
+    val token = slave(Stream(DrawToken(config)))
+    val spans = slave(Stream(Span(config)))
+    val write = slave(Flow(CoefficientWrite(config.slots)))
     val busy = out Bool () // a token or its fragments are under way
-    val down = master Stream (InterpolatedFragment(config))
+    val down = master(Stream(InterpolatedFragment(config)))
   }
 
   // The row to be drawn, from `near` to `far`.
@@ -48,8 +48,8 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   when(rows.fire) { leftwards := !leftwards && !rows.end }
   rows.arbitrationFrom(io.spans)
   rows.y := io.spans.y
-  rows.near := leftwards ? io.spans.last | io.spans.first
-  rows.far := leftwards ? io.spans.first | io.spans.last
+  rows.near := Mux(leftwards, io.spans.last, io.spans.first)
+  rows.far := Mux(leftwards, io.spans.first, io.spans.last)
   rows.end := io.spans.end
   rows.leftwards := leftwards
   rows.seekLeft := rows.near < RegNextWhen(rows.far, rows.fire)
@@ -69,9 +69,9 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
   val rowDone = covered && atFar
   val inRow = atY && !(reached && atFar) // the move stays in it
   val finish = moving && row.end
-  val toLeft = reached ? row.leftwards | row.seekLeft
+  val toLeft = Mux(reached, row.leftwards, row.seekLeft)
   // Coefficient.Left or Right, Down, or an Initial one
-  val entry = (moving && !inRow) ## (moving && inRow) ## (moving ? (inRow && toLeft) | io.token.parity)
+  val entry = (moving && !inRow) ## (moving && inRow) ## Mux(moving, inRow && toLeft, io.token.parity)
   val starts = !moving && !ending && io.token.valid && !io.token.tileEnd && row.valid
   val ends = !moving && !ending && io.token.valid && io.token.tileEnd
   val moves = (moving || starts) && advance
@@ -86,7 +86,7 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
       x := io.token.x
       y := row.y
     } elsewhen (inRow) {
-      x := toLeft ? (x - 1) | (x + 1)
+      x := Mux(toLeft, x - 1, x + 1)
     } otherwise {
       y := y + 1
     }
@@ -101,7 +101,7 @@ case class Interpolator(config: RasterConfig, slots: Int) extends Component {
     val full = fullWidth(plane)
     val dropped = config.formats.dropped(plane)
     val width = full - dropped
-    val memory = Mem(SInt(width bits), slots * 8)
+    val memory = Mem(SInt(width bits), config.slots * 8)
     memory.write(
       io.write.slot @@ io.write.entry,
       (io.write.value >> dropped).resize(width),

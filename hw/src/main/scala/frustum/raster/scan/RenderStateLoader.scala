@@ -9,15 +9,15 @@ import spinal.lib._
 /** Holds the render state that the fragment stages see. Before a triangle of another state passes, everything in flight
   * drains and the new state is read from the store. Where nothing of a state can be chosen there is nothing to load.
   */
-case class RenderStateLoader(config: RasterConfig, slots: Int) extends Component {
+case class RenderStateLoader(config: RasterConfig) extends Component {
   val layout = StoreLayout(config)
   val io = new Bundle {
     val flush = in Bool () // a new frame: its states are to be read
     val bank = in UInt (1 bits)
     val busy = in Bool () // fragments in flight
     val store = master(StoreBus(layout))
-    val up = slave Stream (DrawToken(config, slots))
-    val down = master Stream (DrawToken(config, slots))
+    val up = slave(Stream(DrawToken(config)))
+    val down = master(Stream(DrawToken(config)))
     val current = out(RenderStateWord())
   }
   if (config.fixed.whole) {

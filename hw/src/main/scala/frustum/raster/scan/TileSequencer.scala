@@ -16,10 +16,10 @@ import spinal.lib._
 case class TileSequencer(config: RasterConfig) extends Component {
   val layout = StoreLayout(config)
   val io = new Bundle {
-    val frame = slave Stream (FrameJob(config))
+    val frame = slave(Stream(FrameJob(config)))
     val store = master(StoreBus(layout))
-    val tile = master Stream (TilePosition())
-    val job = master Stream (TileJob(config))
+    val tile = master(Stream(TilePosition()))
+    val job = master(Stream(TileJob(config)))
     val drained = in Bool () // no job is under way
   }
 

@@ -7,11 +7,11 @@ import spinal.lib._
 /** The token being drawn and the one after it. What they need must not be set up anew meanwhile: their slots, and, of a
   * slot, the entries for first values, of which there are two. `slotUsed` and `full` are a clock late.
   */
-case class TokenQueue(config: RasterConfig, slots: Int) extends Component {
+case class TokenQueue(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val up = slave Stream (DrawToken(config, slots))
-    val down = master Stream (DrawToken(config, slots))
-    val slot = in UInt (log2Up(slots) bits)
+    val up = slave(Stream(DrawToken(config)))
+    val down = master(Stream(DrawToken(config)))
+    val slot = in UInt (log2Up(config.slots) bits)
     val slotUsed = out Bool () // a token of `slot` is held
     val full = out Bool () // two triangles' tokens are held
     val busy = out Bool ()

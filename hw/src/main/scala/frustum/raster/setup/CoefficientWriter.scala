@@ -11,10 +11,10 @@ import spinal.lib._
   */
 case class CoefficientWriter(slots: Int) extends Component {
   val io = new Bundle {
-    val result = slave Flow (SetupResult())
+    val result = slave(Flow(SetupResult()))
     val slot = in UInt (log2Up(slots) bits)
     val parity = in Bool ()
-    val write = master Flow (CoefficientWrite(slots))
+    val write = master(Flow(CoefficientWrite(slots)))
   }
 
   val value = Reg(SInt(32 bits))

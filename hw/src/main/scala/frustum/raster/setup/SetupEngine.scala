@@ -35,17 +35,17 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
   private val shared = if (aligned) slots * 32 else 0
   val words = memory.sharedWords + slots * (if (aligned) 32 else slotWords)
   val io = new Bundle {
-    val run = slave Flow (UInt(sectionBits bits))
+    val run = slave(Flow(UInt(sectionBits bits)))
     val slot = in UInt (log2Up(slots) bits)
     val sliver = in Bool () // gradients are integers, not fractions
     val idle = out Bool ()
-    val write = slave Flow (ScratchWrite())
+    val write = slave(Flow(ScratchWrite()))
     val read = in UInt (SetupMemory.CodeBits bits)
     val readData = out SInt (32 bits)
-    val result = master Flow (SetupResult())
+    val result = master(Flow(SetupResult()))
     val overflow = out Bool () // a checked result did not fit, since the last run began
     /** `b` of an edge's product with `Left` or `Top`, negated where the product is subtracted. */
-    val step = master Flow (SInt(17 bits))
+    val step = master(Flow(SInt(17 bits)))
   }
 
   // An instruction takes two clocks, phases 0 and 1. Its word appears at the ROM's output in phase 0.
@@ -92,11 +92,11 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
   val bases = Vec((0 until slots).map(n => U(memory.sharedWords + n * slotWords, log2Up(words) bits)))
   val slotBase = RegNext(if (aligned) io.slot else bases(io.slot))
   def address(code: UInt): UInt =
-    if (aligned) ((code.msb ? U(slots, log2Up(words) - 5 bits) | slotBase.resized) @@ code(4 downto 0))
-    else (code.msb ? U(0, log2Up(words) bits) | slotBase) + code(CodeBits - 2 downto 0)
+    if (aligned) (Mux(code.msb, U(slots, log2Up(words) - 5 bits), slotBase.resized) @@ code(4 downto 0))
+    else Mux(code.msb, U(0, log2Up(words) bits), slotBase) + code(CodeBits - 2 downto 0)
   val readWord = UInt(CodeBits bits)
   val data = scratch.readSync(address(readWord), readUnderWrite = dontCare)
-  readWord := executing ? (phase ? wordA | wordB) | io.read
+  readWord := Mux(executing, Mux(phase, wordA, wordB), io.read)
   val falls = data.msb =/= instruction.subtract // the product, where `a` grows
   when(executing && phase && (atLeft && falls =/= far || atTop && far && !falls)) {
     readWord.lsb := True
@@ -105,12 +105,12 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
 
   val operandStep = (data >> 16).resize(17)
   io.step.valid := executing && phase && (atLeft || atTop) && !far
-  io.step.payload := instruction.subtract ? -operandStep | operandStep
+  io.step.payload := Mux(instruction.subtract, -operandStep, operandStep)
 
   // Clocks 2 and 3 hand the multipliers a, and b's signed lower half, then its upper half, rounded up to make good for
   // the sign.
   val bUpper = RegNextWhen((data(31 downto 16).asUInt + data(15).asUInt).asBits, phase)
-  val bHalf = RegNext(phase ? data(15 downto 0).asBits | bUpper)
+  val bHalf = RegNext(Mux(phase, data(15 downto 0).asBits, bUpper))
   val low = Multiplier16(tech, signedA = false, signedB = true, hold = true)
   val high = Multiplier16(tech, signedA = true, signedB = true, hold = true)
   low.io.a := data(15 downto 0).asBits
@@ -130,7 +130,7 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
   upperSum.io.a := high.io.product.asSInt
   upperSum.io.b := (low.io.product.asSInt >> 16).resize(32)
   val product = upperSum.io.result @@ (low.io.product(15 downto 0) ^ B(16 bits, default -> complement)).asSInt
-  val addend = RegNext(phase ? product | (product >> 16).resize(48))
+  val addend = RegNext(Mux(phase, product, (product >> 16).resize(48)))
   val carry = RegNext(complement)
   val accumulator = Reg(SInt(48 bits))
   val start = SInt(48 bits)
@@ -150,17 +150,17 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
   def is(kinds: Int*) = kinds.map(kind === _).orR
   val gradient = is(GradientX(0).code, GradientY(0).code)
   val fraction = is(Fraction(any).code, Initial(0).code) || gradient && !io.sliver
-  val value = fraction ? accumulator(14, 32 bits) | accumulator(0, 32 bits)
+  val value = Mux(fraction, accumulator(14, 32 bits), accumulator(0, 32 bits))
   val toScratch = is(Integer(any).code, Fraction(any).code, Checked(any).code)
   io.result.valid := done && kind =/= Nowhere.code
   io.result.kind := kind
   io.result.target := control(7).target
   io.result.value := value
   scratch.write(
-    address(done ? control(7).target | io.write.word),
-    done ? value | io.write.data,
+    address(Mux(done, control(7).target, io.write.word)),
+    Mux(done, value, io.write.data),
     // registers mean nothing before their first clock under reset: the constants must outlast it
-    enable = (done ? toScratch | io.write.valid) && !ClockDomain.current.isResetActive
+    enable = Mux(done, toScratch, io.write.valid) && !ClockDomain.current.isResetActive
   )
 
   val overflow = RegInit(False)

@@ -51,7 +51,7 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
     val store = master(StoreBus(layout))
     val read = out UInt (SetupMemory.CodeBits bits)
     val readData = in SInt (32 bits)
-    val write = master Flow (ScratchWrite())
+    val write = master(Flow(ScratchWrite()))
     val spare = slave(SpareRows(spareRows, config.triangleBits))
   }
 
@@ -81,7 +81,7 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
     io.spare.write.valid
   )
   val read = table.readSync(
-    resting ? spare(io.spare.address) | nextRow.resize(log2Up(rows)),
+    Mux(resting, spare(io.spare.address), nextRow.resize(log2Up(rows))),
     readUnderWrite = dontCare
   )
   io.spare.free := resting
@@ -97,14 +97,14 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
   def turn[T <: Data](ring: Vec[T]): Unit = { ring(0) := ring(1); ring(1) := ring(2); ring(2) := ring(0) }
   val ask = False // the address follows a clock later
   val asking = RegInit(False) clearWhen io.store.cmd.fire setWhen RegNext(ask, False)
-  val wanted = (state === State.Exponents) ? U(StoredVertex.QExponent.slice.word, 3 bits) | action.word
+  val wanted = Mux(state === State.Exponents, U(StoredVertex.QExponent.slice.word, 3 bits), action.word)
   val response = io.store.rsp
   io.store.cmd.valid := asking
   io.store.cmd.write := False
   io.store.cmd.data := 0
   val ofVertex = StoreAddress.vertex(layout, indices(0), wanted)
   val ofTriangle = StoreAddress.triangle(layout, io.triangle, U(StoredTriangle.V0.slice.word, 1 bits))
-  io.store.cmd.address := io.bank @@ RegNext((state === State.Vertices) ? ofTriangle | ofVertex)
+  io.store.cmd.address := io.bank @@ RegNext(Mux(state === State.Vertices, ofTriangle, ofVertex))
   val largest = Reg(UInt(5 bits))
   val arriving = StoredVertex.QExponent.in(response.payload).asUInt
 
@@ -134,13 +134,13 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
       Source.Color -> (top(StoredVertex.R) << 7),
       Source.Texture -> (StoredVertex.S.in(data).asSInt << 6).resize(32),
       Source.Area -> (values.area | (1 << 29) | 1),
-      Source.Pixel -> (action.word.lsb ? line | column)
+      Source.Pixel -> Mux(action.word.lsb, line, column)
     ).map { case (f, v) => v.asBits.resize(32) & isFrom(f) #* 32 }.reduceBalancedTree(_ | _).asSInt
   )
   val difference = RegNext(minuend - io.readData)
   val raise = Delay(action.upper, 2)
   val behind = RegNext(largest - exponents(0))
-  val place = RegNext(RegNext(isFrom(Source.Scale)) ? behind | values.place)
+  val place = RegNext(Mux(RegNext(isFrom(Source.Scale)), behind, values.place))
   val isPower = Delay(working && (isFrom(Source.Scale) || isFrom(Source.Power)), 2, init = False)
   // Bit 30 - n for place n, and bit 0 for place 31 too, from lines for the upper and the lower bits of ~n.
   val group = (~place)(4 downto 2)
@@ -150,7 +150,7 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
   val power = B((bits(0) || bits(1)) +: bits.drop(2) :+ False)
   io.write.valid := Delay(working && action.sources.orR, 3, init = False)
   io.write.word := Delay(action.target, 3)
-  io.write.data := RegNext((raise ? (difference |<< 16) | difference) | power.asSInt)
+  io.write.data := RegNext(Mux(raise, difference |<< 16, difference) | power.asSInt)
 
   switch(state) {
     is(State.Idle) {
@@ -158,7 +158,7 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
       largest := 0
       when(start) {
         ask := !program.msb
-        state := program.msb ? State.Write | State.Vertices
+        state := Mux(program.msb, State.Write, State.Vertices)
       }
     }
     is(State.Vertices) {
@@ -176,7 +176,7 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
         exponents(1) := exponents(2)
         exponents(2) := arriving
         when(arriving > largest) { largest := arriving }
-        nextRow(5 downto 4) := lastVertex ? U(0) | vertex + 1
+        nextRow(5 downto 4) := Mux(lastVertex, U(0), vertex + 1)
         ask := True
         when(lastVertex) { state := State.Read }
       }

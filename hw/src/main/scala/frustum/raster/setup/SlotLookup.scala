@@ -6,9 +6,9 @@ import spinal.core._
 import spinal.lib._
 
 /** A tile's job with the slot that its triangle has in the set-up engine's scratch memory and in the interpolator. */
-case class SlotJob(config: RasterConfig, slots: Int) extends Bundle {
+case class SlotJob(config: RasterConfig) extends Bundle {
   val job = TileJob(config)
-  val slot = UInt(log2Up(slots) bits)
+  val slot = UInt(log2Up(config.slots) bits)
   val known = Bool() // the slot already holds the triangle; otherwise it is to be set up there
 }
 
@@ -16,25 +16,25 @@ case class SlotJob(config: RasterConfig, slots: Int) extends Bundle {
   * slots' triangles lie in spare rows of the set-up's table. Takes 4 to `slots` + 5 clocks, while the job before is set
   * up.
   */
-case class SlotLookup(config: RasterConfig, slots: Int) extends Component {
+case class SlotLookup(config: RasterConfig) extends Component {
   val io = new Bundle {
     val flush = in Bool () // a new frame: the slots are empty
-    val up = slave Stream (TileJob(config))
-    val down = master Stream (SlotJob(config, slots))
-    val tags = master(SpareRows(slots, config.triangleBits))
+    val up = slave(Stream(TileJob(config)))
+    val down = master(Stream(SlotJob(config)))
+    val tags = master(SpareRows(config.slots, config.triangleBits))
   }
   object State extends SpinalEnum { val Idle, Search, Found, Missed = newElement() }
   val state = RegInit(State.Idle)
-  val next = Reg(UInt(log2Up(slots) bits)) // the slot given away next
-  val filled = Reg(UInt(log2Up(slots + 1) bits)) // slots given away in this frame
-  val asked = Reg(UInt(log2Up(slots + 3) bits))
+  val next = Reg(UInt(log2Up(config.slots) bits)) // the slot given away next
+  val filled = Reg(UInt(log2Up(config.slots + 1) bits)) // slots given away in this frame
+  val asked = Reg(UInt(log2Up(config.slots + 3) bits))
   // Two clocks after a candidate is asked for it is known whether it is the triangle's.
   val fresh = RegNext(io.tags.free, False)
   val looked = Delay(asked, 2)
   val beyond = RegNext(RegNext(asked) === filled)
   val same = RegNext(io.tags.data === io.up.triangle)
   val judged = RegNext(fresh, False)
-  val slot = Reg(UInt(log2Up(slots) bits))
+  val slot = Reg(UInt(log2Up(config.slots) bits))
 
   io.tags.address := asked.resized
   io.tags.write.valid := False
@@ -52,7 +52,7 @@ case class SlotLookup(config: RasterConfig, slots: Int) extends Component {
       fresh := False
       judged := False
       slot := next
-      when(io.up.valid) { state := io.up.tileEnd ? State.Found | State.Search }
+      when(io.up.valid) { state := Mux(io.up.tileEnd, State.Found, State.Search) }
     }
     is(State.Search) {
       when(io.tags.free) { asked := asked + 1 }
@@ -60,8 +60,8 @@ case class SlotLookup(config: RasterConfig, slots: Int) extends Component {
         when(beyond) {
           io.tags.write.valid := True
           state := State.Missed
-          next := (next === slots - 1) ? U(0) | next + 1
-          when(filled =/= slots) { filled := filled + 1 }
+          next := Mux(next === config.slots - 1, U(0), next + 1)
+          when(filled =/= config.slots) { filled := filled + 1 }
         } elsewhen (same) {
           slot := looked.resized
           state := State.Found

@@ -33,5 +33,5 @@ class TriangleArea(result: Flow[SetupResult], code: Int) extends Area {
   }
 
   /** From the area's shift to that of the gradients, four bits further, and from there to that of a sliver's, 14 bits less. */
-  def toGradients(): Unit = place := sliver ? (place + 14) | (place - 4)
+  def toGradients(): Unit = place := Mux(sliver, place + 14, place - 4)
 }

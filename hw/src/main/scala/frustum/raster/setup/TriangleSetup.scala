@@ -13,27 +13,26 @@ import spinal.lib._
   * triangle takes it, so that in further tiles only the edge functions and the planes' first values are computed.
   *
   */
-case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech = Tech.Generic) extends Component {
-  require(slots >= 3 && slots <= 6, s"TriangleSetup: $slots slots; from 3 (two are drawn, one is set up) to 6")
+case class TriangleSetup(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val layout = StoreLayout(config)
   val io = new Bundle {
     val flush = in Bool () // a new frame: the triangles kept are no more
     val bank = in UInt (1 bits)
-    val job = slave Stream (TileJob(config))
+    val job = slave(Stream(TileJob(config)))
     val store = master(StoreBus(layout))
-    val write = master Flow (CoefficientWrite(slots))
-    val spans = master Stream (Span(config))
-    val token = master Stream (DrawToken(config, slots))
+    val write = master(Flow(CoefficientWrite(config.slots)))
+    val spans = master(Stream(Span(config)))
+    val token = master(Stream(DrawToken(config)))
     val busy = out Bool () // jobs or tokens are under way
     val setUp = out Bool () // pulses when a triangle has been set up whole
     val moved = out Bool () // pulses when a triangle has been moved to a tile
   }
 
-  val lookup = SlotLookup(config, slots)
-  val engine = SetupEngine(slots, tech, config.fixed.planes)
+  val lookup = SlotLookup(config)
+  val engine = SetupEngine(config.slots, tech, config.fixed.planes)
   val walker = EdgeWalker(config)
-  val fetch = SetupFetch(config, slots, config.fixed.planes)
-  val writer = CoefficientWriter(slots)
+  val fetch = SetupFetch(config, config.slots, config.fixed.planes)
+  val writer = CoefficientWriter(config.slots)
 
   lookup.io.flush := io.flush
   lookup.io.up << io.job
@@ -63,7 +62,7 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech = Tech.Gen
   writer.io.parity := parity
   io.write << writer.io.write
 
-  val tokens = TokenQueue(config, slots)
+  val tokens = TokenQueue(config)
   val token = tokens.io.up
   tokens.io.slot := slot
   tokens.io.down >> io.token
@@ -85,12 +84,12 @@ case class TriangleSetup(config: RasterConfig, slots: Int, tech: Tech = Tech.Gen
 
   val area = new TriangleArea(result, engine.memory.code(SetupWords.Area))
   engine.io.sliver := area.sliver
-  val empty = Vec.fill(slots)(Reg(Bool())) // the slot's triangle draws nothing
+  val empty = Vec.fill(config.slots)(Reg(Bool())) // the slot's triangle draws nothing
   val isEmpty = RegNext(empty(slot))
 
   // The tile's last column and row on the screen.
   private def lastIn(tile: UInt, log2: Int, size: Int) =
-    (tile === ((size - 1) >> log2)) ? U((size - 1) & ((1 << log2) - 1), log2 bits) | U((1 << log2) - 1, log2 bits)
+    Mux(tile === ((size - 1) >> log2), U((size - 1) & ((1 << log2) - 1), log2 bits), U((1 << log2) - 1, log2 bits))
   val lastColumn = RegNext(lastIn(job.tileX, config.tileLog2Width, config.width))
   val lastRow = RegNext(lastIn(job.tileY, config.tileLog2Height, config.height))
   walker.io.lastColumn := lastColumn

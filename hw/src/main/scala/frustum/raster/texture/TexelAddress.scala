@@ -13,7 +13,7 @@ object TexelAddress {
     val mirror = RegNext(wrap === Wrap.Mirror.code)
 
     /** The size is 2^(size + 3), 8..128. */
-    val size = RegNext(log2.msb ? U(4, 3 bits) | log2)
+    val size = RegNext(Mux(log2.msb, U(4, 3 bits), log2))
     val mask = RegNext(B((0 until 7).map(i => log2 +^ 3 > i))) // of the index
   }
 

@@ -9,6 +9,7 @@ import frustum.contract.video.ScreenTiles
   * @param fixed   what of a render state cannot be chosen, and is not built
   * @param formats bits that attribute planes go without
   * @param ranges  of the vertices' numbers
+  * @param slots   triangles that stay set up from tile to tile
   * @param clearColor RGB565, if frames begin with this alone; hardware keeps none
   */
 final case class RasterConfig(
@@ -22,7 +23,8 @@ final case class RasterConfig(
     fixed: FixedState = FixedState.None,
     formats: PlaneFormats = PlaneFormats(),
     ranges: VertexRanges = VertexRanges(),
-    clearColor: Option[Int] = None
+    clearColor: Option[Int] = None,
+    slots: Int = 6
 ) extends ScreenTiles {
   require(tileLog2Width >= 3 && tileLog2Width <= 5, s"tile width 2^$tileLog2Width is outside 8..32")
   require(tileLog2Height >= 3 && tileLog2Height <= 5, s"tile height 2^$tileLog2Height is outside 8..32")
@@ -49,5 +51,6 @@ final case class RasterConfig(
     s"screen of $width x $height, positions below 2^${ranges.position} pixels"
   )
   require(clearColor.forall(c => c >= 0 && c <= 0xffff), s"clear colour $clearColor is no RGB565")
+  require(slots >= 3 && slots <= 6, s"$slots slots; from 3 (two are drawn, one is set up) to 6")
   require(textureTexels >= 64 && textureTexels <= 32768, s"$textureTexels texels: 64..32768")
 }
