@@ -16,11 +16,13 @@ final case class Matrix4(rows: IndexedSeq[IndexedSeq[Double]]) {
     Vector4(x, y, z, w)
   }
 
+  /** A point, by a matrix that keeps w. */
+  def point(v: Vector3): Vector3 = withoutW(this * Vector4.point(v))
+
   /** A direction: translations do not move it. */
-  def direction(v: Vector3): Vector3 = {
-    val turned = this * Vector4(v.x, v.y, v.z, 0)
-    Vector3(turned.x, turned.y, turned.z)
-  }
+  def direction(v: Vector3): Vector3 = withoutW(this * Vector4.direction(v))
+
+  private def withoutW(v: Vector4) = Vector3(v.x, v.y, v.z)
 }
 
 object Matrix4 {
