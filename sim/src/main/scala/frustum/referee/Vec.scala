@@ -2,7 +2,6 @@ package frustum.referee
 
 import frustum.driver.linear.Vector3
 
-
 /** A vector of three; the referee has an algebra of its own, so that no fault is shared with what it judges. */
 final case class Vec(x: Double, y: Double, z: Double) {
   def +(o: Vec): Vec = Vec(x + o.x, y + o.y, z + o.z)

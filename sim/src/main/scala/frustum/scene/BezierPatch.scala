@@ -2,7 +2,6 @@ package frustum.scene
 
 import frustum.driver.linear.Vector3
 
-
 /** A bicubic Bezier patch: `control(i)(j)`, i along u and j along v; derivative in u times derivative in v
   * points outwards.
   */

@@ -1,6 +1,5 @@
 package frustum.scene
 
-
 /** Whether two edges of a polygon cross in a point within both; edges that only touch, or lie on each other, do not. */
 object Crossing {
 

@@ -1,6 +1,5 @@
 package frustum.scene
 
-
 /** On which side of a directed line a point lies, exactly: the sign of the rounded determinant where it cannot be wrong,
   * else that of the exact one. Bound of the error as in Shewchuk, "Adaptive precision floating-point arithmetic and fast
   * robust geometric predicates" (1997), section 4.3.

@@ -37,7 +37,10 @@ class IndependenceTest extends AnyFunSuite {
         assert(allowed.contains(what), s"$file: $line")
       // Neither by a full name, nor the scene's own arithmetic; of the driver's algebra the type of the input alone.
       val named = what.stripPrefix("frustum.driver.linear.Vector3")
-      assert(!named.matches(".*frustum\\.(driver\\.(raster|voxel|linear)|model|engine|judge|fit|budgets|charts|command).*"), s"$file: $line")
+      assert(
+        !named.matches(".*frustum\\.(driver\\.(raster|voxel|linear)|model|engine|judge|fit|budgets|charts|command).*"),
+        s"$file: $line"
+      )
       assert(!what.matches(".*(Matrix4|boundingSphere|faceNormal|size\\.address).*"), s"$file: $line")
     }
   }
@@ -45,7 +48,8 @@ class IndependenceTest extends AnyFunSuite {
   /** Methods of the driver's vectors that the compiled referee calls. */
   private def vectorCalls: Set[String] = {
     val calls = mutable.Set.empty[String]
-    val compiled = Paths.get(classOf[Vec].getProtectionDomain.getCodeSource.getLocation.toURI).resolve("frustum/referee")
+    val compiled =
+      Paths.get(classOf[Vec].getProtectionDomain.getCodeSource.getLocation.toURI).resolve("frustum/referee")
     val method = new MethodVisitor(Opcodes.ASM9) {
       override def visitMethodInsn(op: Int, owner: String, name: String, signature: String, own: Boolean): Unit =
         if (owner.startsWith("frustum/driver/linear/")) calls += name

@@ -24,14 +24,21 @@ class LinearTest extends AnyFunSuite {
 
   test("axes of a vector") {
     assert((0 to 2).map(a(_)) == Seq(1, 2, 3) && a.axes == Seq(1, 2, 3))
-    assert(Vector3(1, -3, 2).longestAxis == 1 && Vector3(1, -1, 1).longestAxis == 0 && Vector3(0, 1, -1).longestAxis == 1)
+    assert(Vector3(1, -3, 2).longestAxis == 1 && Vector3(1, -1, 1).longestAxis == 0 && Vector3(
+      0,
+      1,
+      -1
+    ).longestAxis == 1)
     assert(a.isFinite && !Vector3(0, Double.NaN, 0).isFinite && !Vector3(0, 0, Double.NegativeInfinity).isFinite)
   }
 
   test("a quarter turn takes each axis to the next, about the diagonal a third does") {
     for ((axis, from, to) <- Seq((x, y, z), (y, z, x), (z, x, y))) assert(close(from.turned(axis, Pi / 2), to))
     assert(close(a.turned(Vector3(1, 1, 1).normalized, 2 * Pi / 3), Vector3(3, 1, 2)))
-    assert(close(Matrix4.rotationY(Pi / 2).direction(z), x) && close(Matrix4.rotationY(0.7).direction(a), a.turned(y, 0.7)))
+    assert(close(Matrix4.rotationY(Pi / 2).direction(z), x) && close(
+      Matrix4.rotationY(0.7).direction(a),
+      a.turned(y, 0.7)
+    ))
   }
 
   test("the point on the way between two") {
@@ -54,7 +61,10 @@ class LinearTest extends AnyFunSuite {
 
   test("orthographic: the corners of the view volume are those of the cube") {
     val m = Matrix4.orthographic(8, 6, 1, 9)
-    assert(close(m.point(Vector3(4, 3, -1)), Vector3(1, 1, -1)) && close(m.point(Vector3(-4, -3, -9)), Vector3(-1, -1, 1)))
+    assert(close(m.point(Vector3(4, 3, -1)), Vector3(1, 1, -1)) && close(
+      m.point(Vector3(-4, -3, -9)),
+      Vector3(-1, -1, 1)
+    ))
   }
 
   test("look-at: the eye is the origin, what it looks at lies along -z, up along +y") {

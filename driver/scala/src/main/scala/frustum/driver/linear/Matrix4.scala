@@ -5,7 +5,10 @@ package frustum.driver.linear
   * @param rows four rows of four numbers
   */
 final case class Matrix4(rows: IndexedSeq[IndexedSeq[Double]]) {
-  require(rows.length == 4 && rows.forall(_.length == 4), s"Matrix4: rows of ${rows.map(_.length).mkString(", ")} numbers")
+  require(
+    rows.length == 4 && rows.forall(_.length == 4),
+    s"Matrix4: rows of ${rows.map(_.length).mkString(", ")} numbers"
+  )
 
   /** The matrix that does `m` first, then this. */
   def *(m: Matrix4): Matrix4 = Matrix4(rows.map(row => IndexedSeq.tabulate(4)(k => Matrix4.sum(row, m.rows.map(_(k))))))

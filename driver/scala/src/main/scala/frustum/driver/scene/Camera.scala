@@ -2,7 +2,6 @@ package frustum.driver.scene
 
 import frustum.driver.linear.Vector3
 
-
 /** Where a scene is seen from; world units, right-handed, as OpenGL's lookAt and perspective (or ortho) take
   * it.
   *
