@@ -20,7 +20,6 @@ val spinalLib = "com.github.spinalhdl" %% "spinalhdl-lib" % spinalVersion
 val idslPlugin = compilerPlugin("com.github.spinalhdl" %% "spinalhdl-idsl-plugin" % spinalVersion)
 
 val ujson = "com.lihaoyi" %% "ujson" % "4.1.0"
-val joml = "org.joml" % "joml" % "1.10.8"
 
 /** The idsl plugin names signals; without it the generated Verilog is unreadable, so its absence is an error. */
 val spinal = Seq(
@@ -40,7 +39,7 @@ lazy val hw = (project in file("hw")).dependsOn(contract).settings(spinal, publi
 /** The driver of a host: matrices, clipping, submission. */
 lazy val driver = (project in file("driver/scala"))
   .dependsOn(contract)
-  .settings(name := "frustum-driver", libraryDependencies += joml)
+  .settings(name := "frustum-driver")
 
 /** Games, players, consoles and their art, which boards and workbench share. */
 lazy val demos = (project in file("boards/demos")).dependsOn(hw).settings(spinal, internal)
@@ -70,7 +69,6 @@ lazy val sim = (project in file("sim"))
     buildInfoPackage := "frustum",
     libraryDependencies ++= Seq(
       "com.github.spinalhdl" %% "spinalhdl-sim" % spinalVersion,
-      joml,
       "com.twelvemonkeys.imageio" % "imageio-tga" % "3.13.1",
       "com.github.scopt" %% "scopt" % "4.1.0",
       "me.tongfei" % "progressbar" % "0.10.1",

@@ -2,11 +2,11 @@ package frustum.charts
 
 import frustum.contract.voxel.VoxelConfig
 import frustum.device.Tech
+import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
 import frustum.judge.VoxelJudge
 import frustum.model.voxel.wide.VoxelRaySetup
 import frustum.synthesis.UnitCosts
-import org.joml.Vector3d
 import scala.util.Random
 
 /** Bits of the slopes of the voxel world's rays: how far a ray passes by its pixel. */
@@ -17,7 +17,7 @@ object DirectionFamily extends ChartFamily {
   private val views = {
     val random = new Random(1)
     Seq.fill(24)(VoxelView(
-      new Vector3d(32, 32, 16),
+      Vector3(32, 32, 16),
       random.nextDouble() * 360,
       random.nextDouble() * 180 - 90,
       225

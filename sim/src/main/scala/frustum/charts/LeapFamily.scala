@@ -2,13 +2,13 @@ package frustum.charts
 
 import frustum.contract.voxel.{LeapField, VoxelConfig}
 import frustum.demos.voxel.Blocks
+import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
 import frustum.model.voxel.march.Marcher
 import frustum.model.voxel.wide.VoxelRaySetup
 import frustum.model.voxel.world.LeapWords
 import frustum.scene.Hills
 import frustum.synthesis.UnitCosts
-import org.joml.Vector3d
 
 /** Leaps of the voxel world: bits of a memory word against steps of a ray, which are clocks, over hills of three seeds. */
 object LeapFamily extends ChartFamily {
@@ -28,7 +28,7 @@ object LeapFamily extends ChartFamily {
       march = new Marcher(c, Blocks.table, LeapWords(world, field))
       yaw <- 0 until 360 by 45
       x = 20 + yaw % 24
-      camera = VoxelView(new Vector3d(x + 0.4, 32.6, world.surface(x, 32) + 2.6), yaw + 10, -8, 45).camera(c)
+      camera = VoxelView(Vector3(x + 0.4, 32.6, world.surface(x, 32) + 2.6), yaw + 10, -8, 45).camera(c)
       j <- 0 until c.height
       i <- 0 until c.width
     } yield march.march(VoxelRaySetup(camera.eye.axes, camera.direction(i, j), c))(_ => ())

@@ -1,11 +1,11 @@
 package frustum.fit
 
 import frustum.contract.InputError
+import frustum.driver.linear.Vector3
 import frustum.driver.scene.{Camera, Scene}
 import frustum.files.InputFile
 import frustum.scene.Framing
 import java.nio.file.Path
-import org.joml.Vector3d
 import scala.math.{acos, pow, toDegrees, toRadians}
 import scala.util.{Random, Try}
 
@@ -17,14 +17,13 @@ import scala.util.{Random, Try}
   */
 final case class View(turn: Double, elevation: Double, distance: Double) {
   def camera(own: Camera): Camera = {
-    val up = new Vector3d(own.up).normalize
-    val offset = new Vector3d(own.eye).sub(own.at)
+    val up = own.up.normalized
+    val offset = own.eye - own.at
     val height = 90 - toDegrees(acos((offset.dot(up) / offset.length).max(-1).min(1)))
     val raised = (height + elevation).max(-89).min(89) - height
-    val right = new Vector3d(up).cross(offset).normalize
-    offset.rotateAxis(-toRadians(raised), right.x, right.y, right.z)
-    offset.rotateAxis(toRadians(turn), up.x, up.y, up.z)
-    own.copy(eye = new Vector3d(own.at).fma(distance, offset))
+    val right = up.cross(offset).normalized
+    val turned = offset.turned(right, -toRadians(raised)).turned(up, toRadians(turn))
+    own.copy(eye = own.at + turned * distance)
   }
   override def toString = f"turn $turn%.2f, elevation $elevation%.2f, distance $distance%.3f"
 }

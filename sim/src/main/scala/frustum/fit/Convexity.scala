@@ -1,8 +1,8 @@
 package frustum.fit
 
+import frustum.driver.linear.Vector3
 import frustum.driver.scene.Scene
 import frustum.scene.Grid
-import org.joml.Vector3d
 
 /** Meshes of which no part can hide another. */
 sealed abstract class Convexity
@@ -18,7 +18,7 @@ object Convexity {
     scene.triangles.flatMap(t => Grid.faceNormal(t).map(n => n -> n.dot(t.v0.position)))
 
   /** Whether a point is behind every face: from there a solid is nothing, for its back faces are culled. */
-  def inside(scene: Scene, point: Vector3d): Boolean = planes(scene).forall { case (n, d) =>
+  def inside(scene: Scene, point: Vector3): Boolean = planes(scene).forall { case (n, d) =>
     n.dot(point) < d
   }
 
@@ -27,7 +27,7 @@ object Convexity {
     val tolerance = 1e-9 * scene.boundingSphere._2
     val points = scene.triangles.flatMap(_.vertices.map(_.position)).distinct
     val faces = planes(scene)
-    def beyond(n: Vector3d, d: Double) = points.map(p => n.dot(p) - d)
+    def beyond(n: Vector3, d: Double) = points.map(p => n.dot(p) - d)
     if (faces.isEmpty || scene.materials.exists(_.blend)) None
     else if (faces.forall { case (n, d) => beyond(n, d).forall(_.abs <= tolerance) }) Some(Flat)
     else if (faces.forall { case (n, d) => beyond(n, d).forall(_ <= tolerance) } && closed(scene))

@@ -1,12 +1,12 @@
 package frustum.judge
 
 import frustum.contract.raster.{FramePass, PackedTriangle, RasterConfig, RenderState, TileRegion, Wrap}
+import frustum.driver.linear.Vector4
 import frustum.driver.raster.{ClipTriangle, DrawOptions, Driver, RepeatRemoval, Viewport}
 import frustum.driver.scene.Scene
 import frustum.model.raster.{Rasterizer, ScreenFragments}
 import frustum.model.raster.texture.Divide
 import frustum.reference.raster.{ScreenVertex, TriangleAttributes}
-import org.joml.Vector4d
 import scala.collection.mutable
 import scala.math.{cos, sin, sqrt, Pi}
 
@@ -51,7 +51,7 @@ object TemporalJudge {
       val c = v.clip
       val (dx, dy) = (pixels * cos(Pi / 6), pixels * sin(Pi / 6))
       v.copy(clip =
-        new Vector4d(c.x + 2 * dx / config.width * c.w, c.y + 2 * dy / config.height * c.w, c.z, c.w)
+        Vector4(c.x + 2 * dx / config.width * c.w, c.y + 2 * dy / config.height * c.w, c.z, c.w)
       )
     })
 

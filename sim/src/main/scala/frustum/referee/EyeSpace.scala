@@ -1,6 +1,6 @@
 package frustum.referee
 
-import org.joml.Vector3d
+import frustum.driver.linear.Vector3
 import scala.math.{cos, sin, tan, toRadians}
 
 /** A vertex in homogeneous window coordinates: (x, y) / w in pixels from the bottom left corner, z / w the depth from -1
@@ -25,7 +25,7 @@ final case class EyeSpace(view: WorldView) {
     Vec(d.x * cos(angle) + d.z * sin(angle), d.y, d.z * cos(angle) - d.x * sin(angle))
 
   /** To the right, upwards, and ahead of the eye: z is positive for what is seen. */
-  def eye(p: Vector3d): Vec = {
+  def eye(p: Vector3): Vec = {
     val d = turned(Vec(p) - view.middle) + (view.middle - position)
     Vec(d dot right, d dot up, d dot forward)
   }
@@ -34,7 +34,7 @@ final case class EyeSpace(view: WorldView) {
   private val halfHeight = camera.orthoHeight.fold(tan(toRadians(camera.fovDegrees) / 2))(_ / 2)
   private val halfWidth = halfHeight * view.width / view.height
 
-  def window(p: Vector3d): WindowVertex = {
+  def window(p: Vector3): WindowVertex = {
     val e = eye(p)
     val (near, far) = (camera.near, camera.far)
     val (z, w) = camera.orthoHeight match {

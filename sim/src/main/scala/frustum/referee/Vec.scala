@@ -1,6 +1,6 @@
 package frustum.referee
 
-import org.joml.Vector3d
+import frustum.driver.linear.Vector3
 
 /** A vector of three; the referee has an algebra of its own, so that no fault is shared with what it judges. */
 final case class Vec(x: Double, y: Double, z: Double) {
@@ -14,5 +14,5 @@ final case class Vec(x: Double, y: Double, z: Double) {
 }
 
 object Vec {
-  def apply(v: Vector3d): Vec = Vec(v.x, v.y, v.z)
+  def apply(v: Vector3): Vec = Vec(v.x, v.y, v.z)
 }

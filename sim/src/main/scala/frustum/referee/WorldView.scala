@@ -1,8 +1,8 @@
 package frustum.referee
 
 import frustum.contract.raster.Wrap
+import frustum.driver.linear.Vector3
 import frustum.driver.scene.{Camera, Material, Scene}
-import org.joml.Vector3d
 
 /** What a user asked for, and all that the referee knows of a picture.
   *
@@ -18,7 +18,7 @@ final case class WorldView(
     camera: Camera,
     width: Int,
     height: Int,
-    light: Option[Vector3d],
+    light: Option[Vector3],
     cullBack: Boolean,
     wrap: Wrap,
     background: Int,

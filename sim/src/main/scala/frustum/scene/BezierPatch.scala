@@ -1,33 +1,32 @@
 package frustum.scene
 
-import org.joml.Vector3d
+import frustum.driver.linear.Vector3
 
 /** A bicubic Bezier patch: `control(i)(j)`, i along u and j along v; derivative in u times derivative in v
   * points outwards.
   */
-final case class BezierPatch(control: IndexedSeq[IndexedSeq[Vector3d]]) {
+final case class BezierPatch(control: IndexedSeq[IndexedSeq[Vector3]]) {
   import BezierPatch._
 
-  def point(u: Double, v: Double): Vector3d = sum(bernstein(u), bernstein(v))
+  def point(u: Double, v: Double): Vector3 = sum(bernstein(u), bernstein(v))
 
   /** Unit normal. Where an edge in v is drawn together into one point (a pole) the derivative in v vanishes;
     * its own derivative in u takes its place, with the sign it has just inside the patch: the limit of the
     * normal.
     */
-  def normal(u: Double, v: Double): Vector3d = {
+  def normal(u: Double, v: Double): Vector3 = {
     val du = sum(slope(u), bernstein(v))
-    val n = new Vector3d(du).cross(sum(bernstein(u), slope(v)))
-    if (n.length > 1e-9) n.normalize
+    val n = du.cross(sum(bernstein(u), slope(v)))
+    if (n.length > 1e-9) n.normalized
     else {
       val mixed = sum(slope(u), slope(v))
-      du.cross(if (u > 0.5) mixed.negate else mixed).normalize
+      du.cross(if (u > 0.5) -mixed else mixed).normalized
     }
   }
 
-  private def sum(a: Array[Double], b: Array[Double]): Vector3d = {
-    val p = new Vector3d
-    for (i <- 0 to 3; j <- 0 to 3) p.fma(a(i) * b(j), control(i)(j))
-    p
+  private def sum(a: Array[Double], b: Array[Double]): Vector3 = {
+    val terms = for (i <- 0 to 3; j <- 0 to 3) yield control(i)(j) * (a(i) * b(j))
+    terms.reduce(_ + _)
   }
 }
 

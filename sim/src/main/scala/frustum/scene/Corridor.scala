@@ -1,8 +1,8 @@
 package frustum.scene
 
 import frustum.contract.raster.Combine
+import frustum.driver.linear.Vector3
 import frustum.driver.scene.{Camera, Material, Scene, TextureImage, Triangle}
-import org.joml.Vector3d
 
 /** A brick corridor with repeated textures, panes of coloured glass (blended) and a grille (alpha-tested) in
   * front of its end. Vertex colours darken into the depth.
@@ -13,7 +13,7 @@ object Corridor {
   def scene: Scene = {
     val triangles = walls ++ grille ++ panes
     val camera =
-      Camera(new Vector3d(0.25, 1.65, 1.9), new Vector3d(0, 1.4, -8), new Vector3d(0, 1, 0), 62, 0.1, 40)
+      Camera(Vector3(0.25, 1.65, 1.9), Vector3(0, 1.4, -8), Vector3(0, 1, 0), 62, 0.1, 40)
     Scene("corridor", triangles, materials, camera, 0x000000)
   }
 
@@ -33,22 +33,22 @@ object Corridor {
     Material(name, color, 0.42, None, Combine.ColorOnly, blend = true, None)
 
   /** Lamps near the viewer and at the far end, the middle darker. */
-  private def lit(base: Double)(p: Vector3d) = {
+  private def lit(base: Double)(p: Vector3) = {
     val depth = (-p.z / length).max(0.0)
     val f = base * (0.35 + 0.65 * (2 * depth - 1) * (2 * depth - 1))
     (f, f * 0.97, f * 0.9, 1.0)
   }
 
   private def walls: IndexedSeq[Triangle] = {
-    val along = new Vector3d(0, 0, -length - 2)
-    val up = new Vector3d(0, height, 0)
-    val right = new Vector3d(2 * halfWidth, 0, 0)
-    val (nearLeft, nearRight) = (new Vector3d(-halfWidth, 0, 2), new Vector3d(halfWidth, 0, 2))
-    val end = new Vector3d(-halfWidth, 0, -length)
+    val along = Vector3(0, 0, -length - 2)
+    val up = Vector3(0, height, 0)
+    val right = Vector3(2 * halfWidth, 0, 0)
+    val (nearLeft, nearRight) = (Vector3(-halfWidth, 0, 2), Vector3(halfWidth, 0, 2))
+    val end = Vector3(-halfWidth, 0, -length)
     val leftWall = Grid.rectangle(nearLeft, along, up, (11, 1.5), (11, 1), 0)(lit(0.95))
     val rightWall = Grid.rectangle(
-      new Vector3d(nearRight).add(along),
-      new Vector3d(along).negate,
+      nearRight + along,
+      -along,
       up,
       (11, 1.5),
       (11, 1),
@@ -56,16 +56,16 @@ object Corridor {
     )(lit(0.8))
     val floor = Grid.rectangle(nearLeft, right, along, (1.5, 11), (1, 11), 1)(lit(1))
     val ceiling =
-      Grid.rectangle(new Vector3d(nearLeft).add(up), along, right, (11, 1.5), (11, 1), 1)(lit(0.6))
+      Grid.rectangle(nearLeft + up, along, right, (11, 1.5), (11, 1), 1)(lit(0.6))
     val endWall = Grid.rectangle(end, right, up, (1.5, 1.5), (1, 1), 0)(lit(1))
     leftWall ++ rightWall ++ floor ++ ceiling ++ endWall
   }
 
   private def grille: IndexedSeq[Triangle] =
     Grid.rectangle(
-      new Vector3d(-halfWidth, 0, -9),
-      new Vector3d(2 * halfWidth, 0, 0),
-      new Vector3d(0, 2.2, 0),
+      Vector3(-halfWidth, 0, -9),
+      Vector3(2 * halfWidth, 0, 0),
+      Vector3(0, 2.2, 0),
       (4, 3),
       (1, 1),
       2
@@ -75,9 +75,9 @@ object Corridor {
   private def panes: IndexedSeq[Triangle] = {
     def pane(material: Int, x: Double, z: Double) =
       Grid.rectangle(
-        new Vector3d(x, 0, z),
-        new Vector3d(1.7, 0, 0),
-        new Vector3d(0, 2.4, 0),
+        Vector3(x, 0, z),
+        Vector3(1.7, 0, 0),
+        Vector3(0, 2.4, 0),
         (1, 1),
         (1, 1),
         material

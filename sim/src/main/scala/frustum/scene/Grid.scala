@@ -1,7 +1,7 @@
 package frustum.scene
 
+import frustum.driver.linear.Vector3
 import frustum.driver.scene.{MeshVertex, Triangle}
-import org.joml.Vector3d
 
 /** Triangles from rows of vertices. */
 object Grid {
@@ -22,29 +22,29 @@ object Grid {
     * them, cut into steps; colour as a function of position.
     */
   def rectangle(
-      corner: Vector3d,
-      side1: Vector3d,
-      side2: Vector3d,
+      corner: Vector3,
+      side1: Vector3,
+      side2: Vector3,
       repeats: (Double, Double),
       steps: (Int, Int),
       material: Int
-  )(color: Vector3d => (Double, Double, Double, Double)): IndexedSeq[Triangle] = {
-    val normal = new Vector3d(side1).cross(side2).normalize
+  )(color: Vector3 => (Double, Double, Double, Double)): IndexedSeq[Triangle] = {
+    val normal = side1.cross(side2).normalized
     val rows = IndexedSeq.tabulate(steps._1 + 1, steps._2 + 1) { (i, j) =>
       val (f, g) = (i.toDouble / steps._1, j.toDouble / steps._2)
-      val p = new Vector3d(corner).fma(f, side1).fma(g, side2)
+      val p = corner + side1 * f + side2 * g
       MeshVertex(p, normal, f * repeats._1, g * repeats._2, color(p))
     }
     triangles(rows, material)
   }
 
   /** Unit normal of the face, or None when it has no area. */
-  def faceNormal(t: Triangle): Option[Vector3d] = {
-    val e1 = new Vector3d(t.v1.position).sub(t.v0.position)
-    val e2 = new Vector3d(t.v2.position).sub(t.v0.position)
-    val n = new Vector3d(e1).cross(e2)
-    val extent = e1.lengthSquared.max(e2.lengthSquared)
+  def faceNormal(t: Triangle): Option[Vector3] = {
+    val e1 = t.v1.position - t.v0.position
+    val e2 = t.v2.position - t.v0.position
+    val n = e1.cross(e2)
+    val extent = e1.dot(e1).max(e2.dot(e2))
     // rounding leaves corners that should coincide apart by some 1e-16 of the size
-    if (n.length <= 1e-12 * extent) None else Some(n.normalize)
+    if (n.length <= 1e-12 * extent) None else Some(n.normalized)
   }
 }

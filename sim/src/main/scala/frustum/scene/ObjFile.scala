@@ -1,8 +1,8 @@
 package frustum.scene
 
 import frustum.contract.InputError
+import frustum.driver.linear.Vector3
 import frustum.files.Notices
-import org.joml.Vector3d
 import java.nio.file.Path
 import scala.collection.mutable
 
@@ -19,9 +19,9 @@ object ObjFile {
     * @param color red, green, blue, alpha, 0..1
     */
   final case class Corner(
-      position: Vector3d,
+      position: Vector3,
       texture: Option[(Double, Double)],
-      normal: Option[Vector3d],
+      normal: Option[Vector3],
       color: (Double, Double, Double, Double)
   )
 
@@ -71,9 +71,9 @@ object ObjFile {
 
   /** The state of reading one file. */
   private final class ObjReader(notices: Notices) {
-    private val positions = mutable.ArrayBuffer.empty[(Vector3d, Color)]
+    private val positions = mutable.ArrayBuffer.empty[(Vector3, Color)]
     private val textures = mutable.ArrayBuffer.empty[Option[(Double, Double)]]
-    private val normals = mutable.ArrayBuffer.empty[Option[Vector3d]]
+    private val normals = mutable.ArrayBuffer.empty[Option[Vector3]]
     private val faces = mutable.ArrayBuffer.empty[(IndexedSeq[Corner], Option[SourceLine], SourceLine)]
     private val materials = new MaterialNames(notices)
     private var current = Option.empty[SourceLine]
@@ -104,11 +104,11 @@ object ObjFile {
     private def skip(line: SourceLine, what: String): Unit =
       notices.at(line.place, s"$what are skipped, only polygons are drawn; export the mesh as polygons")
 
-    private def vertex(line: SourceLine): (Vector3d, Color) = {
+    private def vertex(line: SourceLine): (Vector3, Color) = {
       val n = line.numbersOrNaN(3, 8, "x y z")
       line.copy(text = line.words.take(3).mkString(" ")).numbers(3, 3, "x y z")
       if (n.take(3).exists(_.abs > Farthest)) line.error("a vertex beyond 1e30; scale the mesh down")
-      (new Vector3d(n(0), n(1), n(2)), color(line, n.drop(3)))
+      (Vector3(n(0), n(1), n(2)), color(line, n.drop(3)))
     }
 
     /** After the position: nothing, a weight, a colour, or a colour and its alpha. */
@@ -151,13 +151,13 @@ object ObjFile {
       Option.when(n.forall(_.isFinite))((n(0), n.lift(1).getOrElse(0.0)))
     }
 
-    private def normal(line: SourceLine): Option[Vector3d] = {
+    private def normal(line: SourceLine): Option[Vector3] = {
       val n = line.numbersOrNaN(3, 3, "x y z")
       if (!n.forall(_.isFinite))
         notices.at(line.place, "a normal is not finite: its faces' own is taken; export it anew", "vn")
       // to a largest component of 1 first: squares of what a file may hold leave double precision
       val most = n.map(_.abs).max
-      Option.when(n.forall(_.isFinite) && most > 0)(new Vector3d(n(0) / most, n(1) / most, n(2) / most).normalize)
+      Option.when(n.forall(_.isFinite) && most > 0)(Vector3(n(0) / most, n(1) / most, n(2) / most).normalized)
     }
 
     private def face(line: SourceLine): Unit = {

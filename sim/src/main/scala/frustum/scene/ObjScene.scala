@@ -2,9 +2,9 @@ package frustum.scene
 
 import frustum.contract.InputError
 import frustum.contract.raster.RasterConfig
+import frustum.driver.linear.Vector3
 import frustum.driver.scene.{BoundingSphere, Material, MeshVertex, Scene, SceneOrigin, Triangle}
 import frustum.files.Notices
-import org.joml.Vector3d
 import java.nio.file.Path
 
 /** Scenes from OBJ files with their MTL files and pictures. */
@@ -99,15 +99,14 @@ object ObjScene {
   /** Normal of a polygon by Newell's sums, which need no corner to be convex. Where they cancel, as in a quadrilateral that
     * crosses itself, that of the largest of the triangles they are made of; (0, 1, 0) where all corners lie on a line.
     */
-  private def faceNormal(p: IndexedSeq[Vector3d]): Vector3d = {
+  private def faceNormal(p: IndexedSeq[Vector3]): Vector3 = {
     val crosses = p.indices.map { i =>
-      val a = new Vector3d(p(i)).sub(p(0))
-      a.cross(new Vector3d(p((i + 1) % p.length)).sub(p(0)))
+      (p(i) - p(0)).cross(p((i + 1) % p.length) - p(0))
     }
-    val sum = crosses.foldLeft(new Vector3d)((s, c) => s.add(c))
+    val sum = crosses.reduce(_ + _)
     val largest = crosses.maxBy(_.length)
-    if (sum.length > 1e-9 * largest.length) sum.normalize
-    else if (largest.length > 0) new Vector3d(largest).normalize
-    else new Vector3d(0, 1, 0)
+    if (sum.length > 1e-9 * largest.length) sum.normalized
+    else if (largest.length > 0) largest.normalized
+    else Vector3(0, 1, 0)
   }
 }

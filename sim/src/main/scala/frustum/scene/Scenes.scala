@@ -2,8 +2,8 @@ package frustum.scene
 
 import frustum.contract.InputError
 import frustum.contract.raster.Combine
+import frustum.driver.linear.Vector3
 import frustum.driver.scene.{Camera, Material, Scene}
-import org.joml.Vector3d
 import scala.math.{cos, max, pow, sin, toRadians}
 
 /** The scenes made in code: nothing to load, the same everywhere. Each has the camera it is meant to be seen
@@ -30,11 +30,11 @@ object Scenes {
     */
   def teapot(tessellation: Int = 6): Scene = {
     require(tessellation >= 1 && tessellation <= 64, s"tessellation $tessellation is outside 1..64")
-    val eye = new Vector3d(4.2, 4.8, 9.3)
-    val key = new Vector3d(0.55, 0.75, 0.45).normalize
-    val fill = new Vector3d(-0.8, 0.1, 0.5).normalize
-    val gloss = new Vector3d(eye).normalize.add(key).normalize
-    def color(n: Vector3d) = {
+    val eye = Vector3(4.2, 4.8, 9.3)
+    val key = Vector3(0.55, 0.75, 0.45).normalized
+    val fill = Vector3(-0.8, 0.1, 0.5).normalized
+    val gloss = (eye.normalized + key).normalized
+    def color(n: Vector3) = {
       val (k, f) = (max(0.0, n.dot(key)), max(0.0, n.dot(fill)))
       val shine = 0.55 * pow(max(0.0, n.dot(gloss)), 40)
       def channel(base: Double, warm: Double, cool: Double) =
@@ -42,26 +42,26 @@ object Scenes {
       (channel(0.86, 0.86, 0.12), channel(0.42, 0.80, 0.20), channel(0.22, 0.66, 0.42), 1.0)
     }
     val material = Material("glaze", (1, 1, 1), 1, None, Combine.ColorOnly, blend = false, None)
-    val camera = Camera(eye, new Vector3d(0.42, 1.45, 0), new Vector3d(0, 1, 0), 45, 1, 40)
+    val camera = Camera(eye, Vector3(0.42, 1.45, 0), Vector3(0, 1, 0), 45, 1, 40)
     Scene("teapot", Teapot.triangles(tessellation, color), IndexedSeq(material), camera, 0x1c2430)
   }
 
   /** A unit cube with one 64 x 64 texture on every face, seen from above; about half of 240 x 320. */
   def cube: Scene = {
     val faces = for (axis <- 0 to 2; sign <- Seq(1, -1)) yield {
-      def unit(a: Int, v: Double) = new Vector3d().setComponent(a, v)
+      def unit(a: Int, v: Double) = Vector3.Axes(a) * v
       // right and up of the face as seen from outside, so that the picture stands upright on the four sides
       val normal = unit(axis, sign)
       val up = if (axis == 1) unit(2, -sign) else unit(1, 1)
-      val right = new Vector3d(up).cross(normal)
-      val corner = new Vector3d(normal).sub(up).sub(right).mul(0.5)
+      val right = up.cross(normal)
+      val corner = (normal - up - right) * 0.5
       Grid.rectangle(corner, right, up, (1, 1), (1, 1), 0)(_ => (1, 1, 1, 1))
     }
     val (turn, elevation, distance) = (toRadians(30), toRadians(39), 3.9)
     val eye =
-      new Vector3d(sin(turn) * cos(elevation), sin(elevation), cos(turn) * cos(elevation)).mul(distance)
+      Vector3(sin(turn) * cos(elevation), sin(elevation), cos(turn) * cos(elevation)) * distance
     val material = Material("crate", (1, 1, 1), 1, Some(Pictures.crate), Combine.Replace, blend = false, None)
-    val camera = Camera(eye, new Vector3d, new Vector3d(0, 1, 0), 30, 1, 10)
+    val camera = Camera(eye, Vector3.Zero, Vector3(0, 1, 0), 30, 1, 10)
     Scene("cube", faces.flatten, IndexedSeq(material), camera, 0x203048)
   }
 
@@ -72,14 +72,14 @@ object Scenes {
     val material =
       Material("checker", (1, 1, 1), 1, Some(Pictures.checker), Combine.Replace, blend = false, None)
     val quad = Grid.rectangle(
-      new Vector3d(-50, -1, -1),
-      new Vector3d(100, 0, 0),
-      new Vector3d(0, 0, -99),
+      Vector3(-50, -1, -1),
+      Vector3(100, 0, 0),
+      Vector3(0, 0, -99),
       (8, 8),
       (1, 1),
       0
     )(_ => (1, 1, 1, 1))
-    val camera = Camera(new Vector3d, new Vector3d(0, 0, -1), new Vector3d(0, 1, 0), 60, 1, 111)
+    val camera = Camera(Vector3.Zero, Vector3(0, 0, -1), Vector3(0, 1, 0), 60, 1, 111)
     Scene("floor", quad, IndexedSeq(material), camera, 0x80a8d8)
   }
 }

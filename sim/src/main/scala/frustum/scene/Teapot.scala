@@ -1,7 +1,7 @@
 package frustum.scene
 
+import frustum.driver.linear.Vector3
 import frustum.driver.scene.{MeshVertex, Triangle}
-import org.joml.Vector3d
 
 /** The Utah teapot: the 32 bicubic patches Martin Newell published in 1975 (with the bottom added in 1987),
   * here put together from what they are made of. Rim, body, lid and bottom are surfaces of revolution, each
@@ -67,7 +67,7 @@ object Teapot {
     */
   def triangles(
       tessellation: Int,
-      color: Vector3d => (Double, Double, Double, Double)
+      color: Vector3 => (Double, Double, Double, Double)
   ): IndexedSeq[Triangle] = {
     def steps(atSix: Int) = (atSix * tessellation / 6.0).round.toInt.max(1)
     parts.toIndexedSeq.flatMap { part =>
@@ -81,15 +81,15 @@ object Teapot {
     }
   }
 
-  private def upright(p: Vector3d) = new Vector3d(p.x, p.z, -p.y)
+  private def upright(p: Vector3) = Vector3(p.x, p.z, -p.y)
 
   private def revolved(name: String, profile: Seq[Ring], steps: Int): Seq[Part] =
     (0 to 3).map { quarter =>
       def turned(x: Double, y: Double, z: Double) = quarter match {
-        case 0 => new Vector3d(x, y, z)
-        case 1 => new Vector3d(-y, x, z)
-        case 2 => new Vector3d(-x, -y, z)
-        case _ => new Vector3d(y, -x, z)
+        case 0 => Vector3(x, y, z)
+        case 1 => Vector3(-y, x, z)
+        case 2 => Vector3(-x, -y, z)
+        case _ => Vector3(y, -x, z)
       }
       val control = profile.toIndexedSeq.map { case Ring(r, z, reach) =>
         IndexedSeq(turned(r, 0, z), turned(r, reach, z), turned(reach, r, z), turned(0, r, z))
@@ -101,10 +101,10 @@ object Teapot {
     Seq(1, -1).map { side =>
       val control = sections.toIndexedSeq.map { case Section(x0, z0, x1, z1, w) =>
         val half = IndexedSeq(
-          new Vector3d(x0, 0, z0),
-          new Vector3d(x0, side * w, z0),
-          new Vector3d(x1, side * w, z1),
-          new Vector3d(x1, 0, z1)
+          Vector3(x0, 0, z0),
+          Vector3(x0, side * w, z0),
+          Vector3(x1, side * w, z1),
+          Vector3(x1, 0, z1)
         )
         if (side > 0) half else half.reverse
       }

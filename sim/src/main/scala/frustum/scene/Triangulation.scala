@@ -1,6 +1,6 @@
 package frustum.scene
 
-import org.joml.{Vector2d, Vector3d}
+import frustum.driver.linear.Vector3
 import scala.collection.mutable
 
 /** Triangles of a polygon, as indices of its corners.
@@ -21,7 +21,7 @@ object Triangulation {
     *
     * @param normal of the polygon's plane, onto which corners are projected
     */
-  def apply(corners: IndexedSeq[Vector3d], normal: Vector3d): Triangulation = {
+  def apply(corners: IndexedSeq[Vector3], normal: Vector3): Triangulation = {
     val p = flat(corners, normal)
     val fan = (1 until p.length - 1).map(i => (0, i, i + 1))
     if (convex(p, fan)) Triangulation(fan, crossed = false)
@@ -32,20 +32,20 @@ object Triangulation {
   }
 
   /** Every corner turns left and the fan does not fold: together they leave no room for a second turn. */
-  private def convex(p: IndexedSeq[Vector2d], fan: Seq[(Int, Int, Int)]): Boolean =
+  private def convex(p: IndexedSeq[Point2], fan: Seq[(Int, Int, Int)]): Boolean =
     p.indices.forall(i => Orientation(p(i), p((i + 1) % p.length), p((i + 2) % p.length)) > 0) &&
       fan.forall { case (a, b, c) => Orientation(p(a), p(b), p(c)) > 0 }
 
   /** Corners without the coordinate along which the normal is longest, so that the polygon turns counter-clockwise. */
-  private def flat(corners: IndexedSeq[Vector3d], normal: Vector3d): IndexedSeq[Vector2d] = {
-    val axis = normal.maxComponent
+  private def flat(corners: IndexedSeq[Vector3], normal: Vector3): IndexedSeq[Point2] = {
+    val axis = normal.longestAxis
     val (u, v) = ((axis + 1) % 3, (axis + 2) % 3)
-    val direction = if (normal.get(axis) < 0) -1 else 1
-    corners.map(c => new Vector2d(c.get(u), direction * c.get(v)))
+    val direction = if (normal(axis) < 0) -1 else 1
+    corners.map(c => Point2(c(u), direction * c(v)))
   }
 
   /** The ring of corners that are still to be cut off. */
-  private final class Ears(p: IndexedSeq[Vector2d]) {
+  private final class Ears(p: IndexedSeq[Point2]) {
     private val next = Array.tabulate(p.length)(i => (i + 1) % p.length)
     private val prev = Array.tabulate(p.length)(i => (i + p.length - 1) % p.length)
     private val bent = Array.tabulate(p.length)(turn(_) <= 0)

@@ -1,6 +1,7 @@
 package frustum.stability
 
 import frustum.contract.raster.{Combine, FixedState, RasterConfig, RasterDomains, VertexRanges, Wrap}
+import frustum.driver.linear.Vector3
 import frustum.driver.raster.{DrawOptions, Driver, PreparedFrame}
 import frustum.driver.scene.{Camera, Material, MeshVertex, Scene, TextureImage, Triangle}
 import frustum.engine.raster.{EngineOptions, Engines}
@@ -8,14 +9,13 @@ import frustum.judge.{FrameJudge, FrameVerdict}
 import frustum.picture.Picture
 import frustum.raster.texture.LateDivide
 import frustum.scene.{Grid, Pictures}
-import org.joml.Vector3d
 
 /** Scenes through driver and model, held against the reference by the judges. */
 object SceneSweeps {
   private val config = RasterConfig(96, 96)
   private val repeat = DrawOptions(None, cullBack = false, Wrap.Repeat, 0)
-  private val origin = new Vector3d
-  private val up = new Vector3d(0, 1, 0)
+  private val origin = Vector3.Zero
+  private val up = Vector3(0, 1, 0)
   private val checks =
     Material("checks", (1, 1, 1), 1, Some(Pictures.checker), Combine.Replace, blend = false, None)
   private val plain = Seq(0xff0000, 0x00ff00).map { c =>
@@ -62,7 +62,7 @@ object SceneSweeps {
     else 100.0 * texels.wrong / texels.judged
   }
 
-  private val ahead = new Vector3d(0, 0, -1)
+  private val ahead = Vector3(0, 0, -1)
 
   /** A floor at y = -`height`, from `start` to `far` before the eye, the texture 8 times along it. */
   private def floor(
@@ -74,9 +74,9 @@ object SceneSweeps {
       hardware: RasterConfig = config
   ): PreparedFrame = {
     val quad = Grid.rectangle(
-      new Vector3d(-far / 2, -height, -start),
-      new Vector3d(far, 0, 0),
-      new Vector3d(0, 0, start - far),
+      Vector3(-far / 2, -height, -start),
+      Vector3(far, 0, 0),
+      Vector3(0, 0, start - far),
       (8, 8),
       (1, 1),
       0
@@ -97,9 +97,9 @@ object SceneSweeps {
   /** A wall before an orthographic eye, `size` times the screen's height, its texture from `-reach` to 1 + `reach`. */
   private def wall(size: Double, reach: Double, material: Material, wrap: Wrap): PreparedFrame = {
     val quad = Grid.rectangle(
-      new Vector3d(-size / 2, -size / 2, -2),
-      new Vector3d(size, 0, 0),
-      new Vector3d(0, size, 0),
+      Vector3(-size / 2, -size / 2, -2),
+      Vector3(size, 0, 0),
+      Vector3(0, size, 0),
       (1 + 2 * reach, 1 + 2 * reach),
       (1, 1),
       0
@@ -116,9 +116,9 @@ object SceneSweeps {
     val size = 4 * farther.max(camera.orthoHeight.getOrElse(0.0))
     val quads = Seq(farther -> 0, nearer -> 1).flatMap { case (z, material) =>
       Grid.rectangle(
-        new Vector3d(-size, -size, -z),
-        new Vector3d(2 * size, 0, 0),
-        new Vector3d(0, 2 * size, 0),
+        Vector3(-size, -size, -z),
+        Vector3(2 * size, 0, 0),
+        Vector3(0, 2 * size, 0),
         (1, 1),
         (1, 1),
         material
@@ -133,7 +133,7 @@ object SceneSweeps {
     val corners =
       Seq((-0.3 - screens, -0.2), (0.4 + screens / 3, -0.4 - screens), (0.1 + screens, 0.3 + screens))
     val vertices = corners.map { case (x, y) =>
-      MeshVertex(new Vector3d(x, y, -2), new Vector3d(0, 0, 1), 0, 0, (1, 1, 1, 1))
+      MeshVertex(Vector3(x, y, -2), Vector3(0, 0, 1), 0, 0, (1, 1, 1, 1))
     }
     val triangle = Triangle(vertices(0), vertices(1), vertices(2), 0)
     val camera = Camera(origin, ahead, up, 60, 1, 4, Some(1.0))

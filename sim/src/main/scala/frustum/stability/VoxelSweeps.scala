@@ -2,12 +2,12 @@ package frustum.stability
 
 import frustum.contract.voxel.{VoxelConfig, VoxelDomains, WorldSize}
 import frustum.demos.voxel.Blocks
+import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
 import frustum.judge.{VoxelCounts, VoxelJudge}
 import frustum.model.voxel.VoxelModel
 import frustum.model.voxel.wide.VoxelRaySetup
 import frustum.scene.Hills
-import org.joml.Vector3d
 
 /** Views of a small world of hills, the model held against exact marching. */
 object VoxelSweeps {
@@ -24,7 +24,7 @@ object VoxelSweeps {
     val n = counts(c, view)
     (n.blocksWrong + n.facesWrong + n.texelsWrong).toDouble
   }
-  private def view(x: Double, focal: Double = 36) = VoxelView(new Vector3d(x, 15.3, 12.4), 7, -20, focal)
+  private def view(x: Double, focal: Double = 36) = VoxelView(Vector3(x, 15.3, 12.4), 7, -20, focal)
 
   val all: Seq[Sweep] = Seq(
     Sweep(
@@ -36,7 +36,7 @@ object VoxelSweeps {
     ) { focal =>
       val wide = base.copy(width = 320, height = 240, distance = 1)
       val eyes = for (yaw <- Seq(3, 48, 91, 200, 317); pitch <- Seq(-70, -5, 40))
-        yield VoxelView(new Vector3d(15.5, 15.5, 15.5), yaw, pitch, focal)
+        yield VoxelView(Vector3(15.5, 15.5, 15.5), yaw, pitch, focal)
       directionError(wide, eyes)
     },
     Sweep(VoxelDomains.EyeOutside, 0, 64, 0, whole = true)(d => raysWrong(base.copy(distance = 60), view(-d))),

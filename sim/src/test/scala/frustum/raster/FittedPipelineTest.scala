@@ -12,6 +12,7 @@ import frustum.contract.raster.{
   TextureRef,
   Wrap
 }
+import frustum.driver.linear.Vector3
 import frustum.driver.raster.{DrawOptions, Driver}
 import frustum.driver.scene.{Camera, Material, Scene}
 import frustum.engine.raster.{EngineOptions, Engines, PipelineEngine}
@@ -19,7 +20,6 @@ import frustum.fit.FitFeatures
 import frustum.harness.Simulated
 import frustum.raster.texture.LateDivide
 import frustum.scene.Scenes
-import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 
 /** Hardware made for less than everything: it draws what its model draws, what it can draw it draws as the whole does, and the rest
@@ -100,8 +100,7 @@ class FittedPipelineTest extends AnyFunSuite {
     def refused(s: Scene, camera: Camera) =
       intercept[InputError](Driver.prepare(s, camera, options(s, depthTest = false), fitted, 0)).message
     assert(refused(cube.copy(background = 0xffffff), cube.camera).contains("background"))
-    val eye = new Vector3d(cube.camera.eye)
-    val near = cube.camera.copy(eye = eye.mul(0.4), near = 0.1)
+    val near = cube.camera.copy(eye = cube.camera.eye * 0.4, near = 0.1)
     assert(refused(cube, near).contains("depths of"))
     val repeated = cube.copy(triangles =
       cube.triangles.map(t =>

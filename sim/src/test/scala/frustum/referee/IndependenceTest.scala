@@ -2,7 +2,9 @@ package frustum.referee
 
 import org.scalatest.funsuite.AnyFunSuite
 import java.nio.file.{Files, Path, Paths}
+import scala.collection.mutable
 import scala.jdk.CollectionConverters._
+import scala.tools.asm.{ClassReader, ClassVisitor, MethodVisitor, Opcodes}
 
 /** A referee that is fed by the code it judges cannot see that code's faults. */
 class IndependenceTest extends AnyFunSuite {
@@ -18,7 +20,7 @@ class IndependenceTest extends AnyFunSuite {
     "frustum.contract.raster.Combine",
     "frustum.contract.raster.{Combine, Wrap}",
     "frustum.reference.raster.MesaProgram",
-    "org.joml.Vector3d",
+    "frustum.driver.linear.Vector3",
     "java.util.Locale"
   )
 
@@ -33,10 +35,35 @@ class IndependenceTest extends AnyFunSuite {
       val what = line.stripPrefix("import ")
       if (line.startsWith("import frustum") || line.startsWith("import org") || line.startsWith("import java"))
         assert(allowed.contains(what), s"$file: $line")
-      // Neither by a full name, nor the scene's own arithmetic, nor joml's.
-      assert(!what.matches(".*frustum\\.(driver\\.(raster|voxel|linear)|model|engine|judge|fit|budgets|charts|command).*"), s"$file: $line")
-      assert(!what.matches(".*(Matrix4d|boundingSphere|faceNormal|size\\.address).*"), s"$file: $line")
+      // Neither by a full name, nor the scene's own arithmetic; of the driver's algebra the type of the input alone.
+      val named = what.stripPrefix("frustum.driver.linear.Vector3")
+      assert(
+        !named.matches(".*frustum\\.(driver\\.(raster|voxel|linear)|model|engine|judge|fit|budgets|charts|command).*"),
+        s"$file: $line"
+      )
+      assert(!what.matches(".*(Matrix4|boundingSphere|faceNormal|size\\.address).*"), s"$file: $line")
     }
+  }
+
+  /** Methods of the driver's vectors that the compiled referee calls. */
+  private def vectorCalls: Set[String] = {
+    val calls = mutable.Set.empty[String]
+    val compiled =
+      Paths.get(classOf[Vec].getProtectionDomain.getCodeSource.getLocation.toURI).resolve("frustum/referee")
+    val method = new MethodVisitor(Opcodes.ASM9) {
+      override def visitMethodInsn(op: Int, owner: String, name: String, signature: String, own: Boolean): Unit =
+        if (owner.startsWith("frustum/driver/linear/")) calls += name
+    }
+    val visitor = new ClassVisitor(Opcodes.ASM9) {
+      override def visitMethod(a: Int, name: String, d: String, s: String, e: Array[String]): MethodVisitor = method
+    }
+    for (file <- Files.list(compiled).iterator.asScala if file.toString.endsWith(".class"))
+      new ClassReader(Files.readAllBytes(file)).accept(visitor, 0)
+    calls.toSet
+  }
+
+  test("of the input's vectors the referee takes the coordinates, and nothing of their arithmetic") {
+    assert(vectorCalls == Set("x", "y", "z"))
   }
 
   test("the references of rays and voxels import nothing of the driver or the models") {

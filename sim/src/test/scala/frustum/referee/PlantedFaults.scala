@@ -1,11 +1,11 @@
 package frustum.referee
 
 import frustum.contract.raster.{DepthFunction, PackedVertex, RasterConfig, RenderState, Wrap}
+import frustum.driver.linear.{Matrix4, Vector3}
 import frustum.driver.raster.{DrawOptions, Driver, PreparedFrame}
 import frustum.driver.scene.{Camera, MeshVertex, Scene, Triangle}
 import frustum.judge.EndToEndJudge
 import frustum.scene.Scenes
-import org.joml.Vector3d
 import scala.math.{atan, tan, toDegrees, toRadians}
 
 /** What a user asks for, and the driver's answer to it. */
@@ -24,7 +24,7 @@ final case class Fault(name: String, asked: Request, faulty: PreparedFrame)
 
 object PlantedFaults {
   private val plain = DrawOptions(None, cullBack = false, Wrap.Repeat, 0x304050)
-  private val lit = plain.copy(light = Some(new Vector3d(3, 2, 1)))
+  private val lit = plain.copy(light = Some(Vector3(3, 2, 1)))
   private val teapot = Request(Scenes.teapot(), plain)
   private val cube = Request(Scenes.cube, plain)
   private val corridor = Request(Scenes.byName("corridor"), plain)
@@ -35,7 +35,7 @@ object PlantedFaults {
   private val cutOpen = cube.copy(scene = cube.scene.copy(camera = cube.scene.camera.copy(near = 3.6)))
 
   private def ahead(c: Camera, v: MeshVertex) =
-    new Vector3d(v.position).sub(c.eye).dot(new Vector3d(c.at).sub(c.eye).normalize)
+    (v.position - c.eye).dot((c.at - c.eye).normalized)
 
   private def vertices(f: PreparedFrame)(change: PackedVertex => PackedVertex): PreparedFrame =
     f.copy(passes = f.passes.map(p => p.copy(vertices = p.vertices.map(change))))
@@ -49,10 +49,12 @@ object PlantedFaults {
     vertices(f.copy(passes = turned))(change)
   }
 
-  private def positions(s: Scene)(change: Vector3d => Vector3d): Scene = {
-    def moved(v: MeshVertex) = v.copy(position = change(new Vector3d(v.position)))
+  private def positions(s: Scene)(change: Vector3 => Vector3): Scene = {
+    def moved(v: MeshVertex) = v.copy(position = change(v.position))
     s.copy(triangles = s.triangles.map(t => t.copy(v0 = moved(t.v0), v1 = moved(t.v1), v2 = moved(t.v2))))
   }
+
+  private def aboutY(v: Vector3, degrees: Double) = Matrix4.rotationY(toRadians(degrees)).direction(v)
 
   private def given(r: Request)(change: Request => Request): PreparedFrame = change(r).prepare
 
@@ -61,8 +63,8 @@ object PlantedFaults {
 
   private def reversed(t: Triangle) = t.copy(v1 = t.v2, v2 = t.v1)
 
-  private def lightFrom(r: Request)(change: Vector3d => Vector3d) =
-    given(r)(_.copy(options = r.options.copy(light = r.options.light.map(l => change(new Vector3d(l))))))
+  private def lightFrom(r: Request)(change: Vector3 => Vector3) =
+    given(r)(_.copy(options = r.options.copy(light = r.options.light.map(change))))
 
   private def blendedReversed(f: PreparedFrame): PreparedFrame = {
     val changed = f.passes.zip(f.sources).map { case (pass, sources) =>
@@ -93,8 +95,8 @@ object PlantedFaults {
     "look-at: left-handed" -> { r: Request =>
       mirrored(r.prepare)(v => v.copy(x = r.config.width * 16 - v.x))
     } -> teapot,
-    "look-at: up is ignored" -> { r: Request => seenBy(r)(_.copy(up = new Vector3d(0, 1, 0))) } -> cube.copy(scene =
-      cube.scene.copy(camera = cube.scene.camera.copy(up = new Vector3d(1, 2, 0)))
+    "look-at: up is ignored" -> { r: Request => seenBy(r)(_.copy(up = Vector3(0, 1, 0))) } -> cube.copy(scene =
+      cube.scene.copy(camera = cube.scene.camera.copy(up = Vector3(1, 2, 0)))
     ),
     "field of view: the horizontal one" -> { r: Request =>
       seenBy(r)(c => c.copy(fovDegrees = otherWay(c.fovDegrees, r.config.height.toDouble / r.config.width)))
@@ -126,16 +128,17 @@ object PlantedFaults {
     "textures: another material's" -> { r: Request => swappedTextures(r.prepare) } -> corridor,
     "wrap mode of s: mirror" -> { r: Request => states(r.prepare)(s => s.copy(wrapS = Wrap.Mirror)) } -> floor,
     "wrap mode of t: clamp" -> { r: Request => states(r.prepare)(s => s.copy(wrapT = Wrap.Clamp)) } -> floor,
-    "light: from the other side" -> { r: Request => lightFrom(r)(_.negate) } -> turned,
-    "light: turns with the model" -> { r: Request => lightFrom(r)(_.rotateY(toRadians(25))) } -> turned,
+    "light: from the other side" -> { r: Request => lightFrom(r)(l => -l) } -> turned,
+    "light: turns with the model" -> { r: Request => lightFrom(r)(aboutY(_, 25)) } -> turned,
     "light: in the eye's space" -> { r: Request =>
       val c = r.scene.camera
-      lightFrom(r)(l => new org.joml.Matrix4d().lookAt(c.eye, c.at, c.up).invert().transformDirection(l))
+      val axes = Matrix4.lookAt(c.eye, c.at, c.up).rows.take(3).map(row => Vector3(row(0), row(1), row(2)))
+      lightFrom(r)(l => axes.zip(l.axes).map { case (axis, along) => axis * along }.reduce(_ + _))
     } -> turned,
     "matrices: turned about the origin" -> { r: Request =>
       given(r)(q =>
         q.copy(
-          scene = positions(q.scene)(_.rotateY(toRadians(q.options.turnDegrees))),
+          scene = positions(q.scene)(aboutY(_, q.options.turnDegrees)),
           options = q.options.copy(turnDegrees = 0)
         )
       )

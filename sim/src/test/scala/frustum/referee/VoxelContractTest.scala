@@ -1,11 +1,11 @@
 package frustum.referee
 
 import frustum.contract.voxel.{VoxelConfig, WorldSize}
+import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
 import frustum.judge.VoxelJudge
 import frustum.reference.voxel.{ExactMarch, IdealVoxelPicture}
 import frustum.scene.{BlockFile, VoxelWorld}
-import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 import java.nio.file.Files
 
@@ -36,11 +36,11 @@ class VoxelContractTest extends AnyFunSuite {
 
   test("the driver's camera and its words are the contract's rays, from angles and from a direction") {
     for (yaw <- -170 to 180 by 37; pitch <- -85 to 85 by 17) {
-      val view = VoxelView(new Vector3d(1, 2, 3), yaw, pitch, focal)
+      val view = VoxelView(Vector3(1, 2, 3), yaw, pitch, focal)
       val camera = view.camera(c)
-      val look = new Vector3d(view.look).mul(3)
+      val look = view.look * 3
       val (y, p) = VoxelView.angles(look)
-      val asked = VoxelView(new Vector3d(1, 2, 3), y, p, focal, Some(look))
+      val asked = VoxelView(Vector3(1, 2, 3), y, p, focal, Some(look))
       for (rays <- Seq(VoxelJudge.rays(view, c), VoxelJudge.rays(asked, c)); i <- Seq(0, 13, 31); j <- Seq(0, 7, 23)) {
         val Seq(dx, dy, dz) = camera.direction(i, j).map(_.toDouble)
         assert(rays.error(i, j, Vec(dx, dy, dz)) < 0.02, s"yaw $yaw, pitch $pitch, pixel ($i, $j)")
@@ -66,7 +66,7 @@ class VoxelContractTest extends AnyFunSuite {
     Files.writeString(file, """[{"name": "b", "top": "snow", "bottom": "dirt", "side": "bark"}]""")
     val assets = BlockFile.read(file)
     val world = VoxelWorld.tabulate(c.size)((x, y, z) => if ((x, y, z) == ((4, 2, 8))) 1 else 0)
-    val middle = new Vector3d(4.5, 2.5, 8.5)
+    val middle = Vector3(4.5, 2.5, 8.5)
     for (
       ((yaw, pitch), face) <- Seq(
         (0.0, 0.0) -> 0,
@@ -78,7 +78,7 @@ class VoxelContractTest extends AnyFunSuite {
       )
     ) {
       val look = rays(yaw, pitch).look
-      val eye = new Vector3d(middle).fma(-2, new Vector3d(look.x, look.y, look.z))
+      val eye = middle - Vector3(look.x, look.y, look.z) * 2
       val view = VoxelView(eye, yaw, pitch, focal)
       val seen = new ExactMarch(
         c,

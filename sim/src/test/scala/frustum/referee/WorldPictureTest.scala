@@ -1,9 +1,9 @@
 package frustum.referee
 
 import frustum.contract.raster.{Combine, RasterConfig, Wrap}
+import frustum.driver.linear.Vector3
 import frustum.driver.raster.DrawOptions
 import frustum.driver.scene.{Camera, Material, MeshVertex, Scene, TextureImage, Triangle}
-import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 
 /** The referee itself, on pictures whose right answer is plain. */
@@ -12,10 +12,10 @@ class WorldPictureTest extends AnyFunSuite {
 
   /** 16 x 8 pixels, one unit each, the origin in the middle, seen from +z. */
   private val camera =
-    Camera(new Vector3d(0, 0, 5), new Vector3d, new Vector3d(0, 1, 0), 45, 1, 9, orthoHeight = Some(8))
+    Camera(Vector3(0, 0, 5), Vector3.Zero, Vector3(0, 1, 0), 45, 1, 9, orthoHeight = Some(8))
 
   private def vertex(x: Double, y: Double, z: Double, s: Double, t: Double, color: (Double, Double, Double, Double)) =
-    MeshVertex(new Vector3d(x, y, z), new Vector3d(0, 0, 1), s, t, color)
+    MeshVertex(Vector3(x, y, z), Vector3(0, 0, 1), s, t, color)
 
   /** A rectangle that faces the eye, its texture once across it. */
   private def panel(x0: Double, y0: Double, x1: Double, y1: Double, z: Double, material: Int): Seq[Triangle] = {
@@ -100,7 +100,7 @@ class WorldPictureTest extends AnyFunSuite {
       draw(
         panel(-8, -4, 8, 4, 0, 0),
         Material.White
-      )(options.copy(light = Some(new Vector3d(x, y, z)), turnDegrees = turn))(8, 4) & 255
+      )(options.copy(light = Some(Vector3(x, y, z)), turnDegrees = turn))(8, 4) & 255
     assert(lit(0, 0, 7) == 255 && lit(0, 0, -1) == 51)
     assert(lit(3, 0, 4) == ((0.2 + 0.8 * 0.8) * 255).round)
     // Turned by 60 degrees about +y, counter-clockwise from above, the normal is (sin 60, 0, cos 60).

@@ -2,9 +2,9 @@ package frustum.scene
 
 import frustum.contract.InputError
 import frustum.contract.raster.Combine
+import frustum.driver.linear.Vector3
 import frustum.driver.scene.{Material, Scene}
 import frustum.files.Notices
-import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 import java.awt.image.BufferedImage
 import java.nio.charset.StandardCharsets
@@ -53,7 +53,7 @@ class ObjSceneTest extends AnyFunSuite {
   test("a polygon becomes a fan with a flat normal, white") {
     val s = read(square + "v -1 0.5 0\nf 1 2 3 4 5")
     assert(s.triangles.length == 3 && s.materials == Seq(Material.White))
-    assert(s.triangles.flatMap(_.vertices).forall(_.normal == new Vector3d(0, 0, 1)))
+    assert(s.triangles.flatMap(_.vertices).forall(_.normal == Vector3(0, 0, 1)))
     assert(
       s.triangles.map(t => (t.v1.position.x, t.v2.position.x)) == Seq((1.0, 1.0), (1.0, 0.0), (0.0, -1.0))
     )
@@ -69,7 +69,7 @@ class ObjSceneTest extends AnyFunSuite {
         corners.map { case (x, y) => s"v $x $y 5\n" }.mkString + "f 1 2 3 4 5 6".take(1 + 2 * shape.length)
       ).triangles
       val normals = triangles.map { t =>
-        new Vector3d(t.v1.position).sub(t.v0.position).cross(new Vector3d(t.v2.position).sub(t.v0.position))
+        (t.v1.position - t.v0.position).cross(t.v2.position - t.v0.position)
       }
       assert(triangles.length == shape.length - 2)
       assert(normals.map(_.z.sign).distinct.length == 1, s"$corners: a triangle turns the other way")
@@ -89,7 +89,7 @@ class ObjSceneTest extends AnyFunSuite {
   test("relative indices, normals, coordinates, comments, continued lines, foreign statements") {
     val s = read(square + "vn 0 3 0 # up\no thing\ng a b\ns off\nf -4/-4/-1 \\\n  -3/-3/1 3/3/1\r\n\n# end")
     val v = s.triangles.head.vertices
-    assert(v.map(_.normal) == Seq.fill(3)(new Vector3d(0, 1, 0)))
+    assert(v.map(_.normal) == Seq.fill(3)(Vector3(0, 1, 0)))
     assert(v.map(x => (x.s, x.t)) == Seq((0.0, 0.0), (1.0, 0.0), (1.0, 1.0)))
   }
 
@@ -154,7 +154,7 @@ class ObjSceneTest extends AnyFunSuite {
 
   test("a mesh is framed") {
     val s = read("v 10 0 0\nv 14 0 0\nv 10 2 4\nf 1 2 3")
-    assert(s.boundingSphere == ((new Vector3d(12, 1, 2), 3.0)) && s.camera == Framing(s.boundingSphere, 0.75))
+    assert(s.boundingSphere == ((Vector3(12, 1, 2), 3.0)) && s.camera == Framing(s.boundingSphere, 0.75))
   }
 
   private val malformed = Seq(

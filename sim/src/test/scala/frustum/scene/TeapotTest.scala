@@ -1,10 +1,10 @@
 package frustum.scene
 
-import org.joml.Vector3d
+import frustum.driver.linear.Vector3
 import org.scalatest.funsuite.AnyFunSuite
 
 class TeapotTest extends AnyFunSuite {
-  private def white(n: Vector3d) = (1.0, 1.0, 1.0, 1.0)
+  private def white(n: Vector3) = (1.0, 1.0, 1.0, 1.0)
 
   test("32 patches with the published extent") {
     assert(Teapot.parts.length == 32)
@@ -33,7 +33,7 @@ class TeapotTest extends AnyFunSuite {
         (-0.798, 1.425, 0.0)
       )
     )
-      assert(points.exists(_.distance(new Vector3d(x, y, z)) < 1e-12), (x, y, z))
+      assert(points.exists(_.distance(Vector3(x, y, z)) < 1e-12), (x, y, z))
   }
 
   test("neighbouring patches share their edge, point and normal") {
@@ -63,15 +63,15 @@ class TeapotTest extends AnyFunSuite {
       )
       .filter { case (p, _) => p.x.abs < 1e-12 && p.y.abs < 1e-12 }
     assert(poles.length == 4 * 2 * 2)
-    for ((p, n) <- poles) assert(n.distance(new Vector3d(0, 0, if (p.z > 1) 1 else -1)) < 1e-9)
+    for ((p, n) <- poles) assert(n.distance(Vector3(0, 0, if (p.z > 1) 1 else -1)) < 1e-9)
   }
 
   test("normals are the slopes' limit everywhere") {
     for (part <- Teapot.parts; u <- Seq(0.05, 0.4, 0.93); v <- Seq(0.1, 0.6)) {
       val (p, e) = (part.patch.point(u, v), 1e-5)
-      val du = part.patch.point(u + e, v).sub(p)
-      val dv = part.patch.point(u, v + e).sub(p)
-      assert(du.cross(dv).normalize.dot(part.patch.normal(u, v)) > 0.999, s"${part.name} $u $v")
+      val du = part.patch.point(u + e, v) - p
+      val dv = part.patch.point(u, v + e) - p
+      assert(du.cross(dv).normalized.dot(part.patch.normal(u, v)) > 0.999, s"${part.name} $u $v")
     }
   }
 

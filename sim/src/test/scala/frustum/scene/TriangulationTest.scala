@@ -1,6 +1,6 @@
 package frustum.scene
 
-import org.joml.Vector3d
+import frustum.driver.linear.Vector3
 import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random
 
@@ -19,7 +19,7 @@ class TriangulationTest extends AnyFunSuite {
     } % 2 == 1
 
   private def cut(p: Seq[Point]): Seq[Seq[Point]] = {
-    val cuts = Triangulation(p.map { case (x, y) => new Vector3d(x, y, 0) }.toIndexedSeq, new Vector3d(0, 0, 1))
+    val cuts = Triangulation(p.map { case (x, y) => Vector3(x, y, 0) }.toIndexedSeq, Vector3(0, 0, 1))
     assert(!cuts.crossed && cuts.triangles.length == p.length - 2)
     cuts.triangles.map { case (a, b, c) => Seq(p(a), p(b), p(c)) }
   }
@@ -104,7 +104,7 @@ class TriangulationTest extends AnyFunSuite {
           if (random.nextInt(4) == 0) Seq(a, ((a._1 + b._1) / 2, (a._2 + b._2) / 2)) else Seq(a)
         }
         val ordered = area(split) > 0 && !Crossing.exists(split.map { case (x, y) =>
-          new org.joml.Vector2d(x, y)
+          Point2(x, y)
         }.toIndexedSeq)
         if (ordered) check(split, s"seed $seed, $n corners", random)
       }
@@ -113,7 +113,7 @@ class TriangulationTest extends AnyFunSuite {
 
   test("a polygon that crosses itself is told, one that is convex or touches itself is not") {
     def crossed(p: Point*) =
-      Triangulation(p.map { case (x, y) => new Vector3d(x, y, 0) }.toIndexedSeq, new Vector3d(0, 0, 1)).crossed
+      Triangulation(p.map { case (x, y) => Vector3(x, y, 0) }.toIndexedSeq, Vector3(0, 0, 1)).crossed
     val star = (0 until 5).map(i => (math.cos(i * 0.8 * math.Pi), math.sin(i * 0.8 * math.Pi)))
     assert(crossed((0, 0), (1, 1), (1, 0), (0, 1)) && crossed(star: _*))
     assert(!crossed((0, 0), (1, 0), (1, 1), (0, 1)) && !crossed((0, 0), (3, 0), (2, 2), (4, 4), (0, 4), (2, 2)))
@@ -133,14 +133,13 @@ class TriangulationTest extends AnyFunSuite {
   }
 
   test("sides are decided exactly where rounding would not") {
-    import org.joml.Vector2d
-    val (a, b) = (new Vector2d(0.5, 0.5), new Vector2d(12, 12))
-    assert(Orientation(a, b, new Vector2d(24, 24)) == 0)
-    assert(Orientation(a, b, new Vector2d(24, Math.nextUp(24.0))) == 1 && Orientation(
+    val (a, b) = (Point2(0.5, 0.5), Point2(12, 12))
+    assert(Orientation(a, b, Point2(24, 24)) == 0)
+    assert(Orientation(a, b, Point2(24, Math.nextUp(24.0))) == 1 && Orientation(
       a,
       b,
-      new Vector2d(24, Math.nextDown(24.0))
+      Point2(24, Math.nextDown(24.0))
     ) == -1)
-    assert(Orientation(new Vector2d(1e-200, 0), new Vector2d(0, 1e-200), new Vector2d(-1e-200, 0)) == 1)
+    assert(Orientation(Point2(1e-200, 0), Point2(0, 1e-200), Point2(-1e-200, 0)) == 1)
   }
 }

@@ -2,11 +2,11 @@ package frustum.voxel
 
 import frustum.contract.voxel.{VoxelConfig, WorldSize}
 import frustum.demos.voxel.Blocks
+import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
 import frustum.model.voxel.VoxelModel
 import frustum.model.voxel.wide.LayerComposite
 import frustum.scene.VoxelWorld
-import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random
 
@@ -17,7 +17,7 @@ class VoxelFaultsTest extends AnyFunSuite {
   private val c = VoxelConfig(size = WorldSize(8, 8, 8), width = 32, height = 24, fog = false)
 
   private def model(id: (Int, Int, Int) => Int) = new VoxelModel(c, Blocks.assets, VoxelWorld.tabulate(c.size)(id))
-  private def ahead(x: Double) = VoxelView(new Vector3d(x, 3.5, 3.5), 0, 0, 20).camera(c)
+  private def ahead(x: Double) = VoxelView(Vector3(x, 3.5, 3.5), 0, 0, 20).camera(c)
 
   test("layers reach opaque, and what lies behind counts for what is left alone (seed 1)") {
     val random = new Random(1)
@@ -56,8 +56,8 @@ class VoxelFaultsTest extends AnyFunSuite {
     for (eye <- Seq((-5.0, 3.5, 3.5), (3.5, 13.0, 3.5), (20.0, 20.0, -9.0), (3.5, 3.5, 30.0))) {
       val (x, y, z) = eye
       // Away from the middle of the world.
-      val (yaw, pitch) = VoxelView.angles(new Vector3d(x - 4, y - 4, z - 4))
-      val camera = VoxelView(new Vector3d(x, y, z), yaw, pitch, 20).camera(c)
+      val (yaw, pitch) = VoxelView.angles(Vector3(x - 4, y - 4, z - 4))
+      val camera = VoxelView(Vector3(x, y, z), yaw, pitch, 20).camera(c)
       for (m <- Seq(corner, full)) {
         assert(
           (for (j <- 0 until c.height; i <- 0 until c.width) yield m.pixel(camera, i, j)).forall(_.seen.isEmpty),

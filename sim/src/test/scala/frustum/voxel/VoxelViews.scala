@@ -1,9 +1,9 @@
 package frustum.voxel
 
 import frustum.contract.voxel.{VoxelConfig, WorldSize}
+import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
 import frustum.scene.VoxelWorld
-import org.joml.Vector3d
 import scala.util.Random
 
 /** Views and worlds that tests draw. */
@@ -22,7 +22,7 @@ object VoxelViews {
       case 0 => (90.0 * random.nextInt(4), 90.0 * (random.nextInt(3) - 1)) // along the axes
       case _ => (random.between(0.0, 360.0), random.between(-90.0, 90.0))
     }
-    VoxelView(new Vector3d(eye(0), eye(1), eye(2)), yaw, pitch, 0.9 * c.height)
+    VoxelView(Vector3(eye(0), eye(1), eye(2)), yaw, pitch, 0.9 * c.height)
   }
 
   /** Blocks anywhere. */

@@ -1,7 +1,7 @@
 package frustum.command.common
 
 import frustum.contract.InputError
-import org.joml.Vector3d
+import frustum.driver.linear.Vector3
 import scopt.{OEffect, OParser, Read}
 import java.nio.file.{InvalidPathException, Path, Paths}
 
@@ -35,9 +35,9 @@ object Arguments {
   val positive: Read[Double] =
     Read.reads(t => Some(number(t)).filter(_ > 0).getOrElse(refuse(s"$t is not above 0")))
 
-  val vector: Read[Vector3d] = Read.reads { text =>
+  val vector: Read[Vector3] = Read.reads { text =>
     text.split(",", -1) match {
-      case Array(x, y, z) => new Vector3d(number(x), number(y), number(z))
+      case Array(x, y, z) => Vector3(number(x), number(y), number(z))
       case _              => refuse(s"'$text' is not three numbers x,y,z without blanks")
     }
   }

@@ -1,7 +1,7 @@
 package frustum.command.demo
 
 import frustum.command.voxel.{VoxelDrawn, VoxelOptions, VoxelReport, VoxelRun, VoxelScenes}
-import org.joml.Vector3d
+import frustum.driver.linear.Vector3
 import java.nio.file.Path
 
 /** The world of blocks as a scene of `demo`: hills with a lake. */
@@ -11,7 +11,7 @@ object VoxelDemo {
   def apply(out: Path, engine: String): (ujson.Obj, Int) = {
     val o = VoxelOptions(
       engine = engine,
-      eye = Some(new Vector3d(10, 40, 19)),
+      eye = Some(Vector3(10, 40, 19)),
       yaw = Some(-40),
       pitch = Some(-15),
       distance = 50,

@@ -2,8 +2,8 @@ package frustum.command.fit
 
 import frustum.command.common.Arguments
 import frustum.contract.raster.Wrap
+import frustum.driver.linear.Vector3
 import frustum.scene.Scenes
-import org.joml.Vector3d
 import scopt.OParser
 import java.nio.file.Path
 
@@ -18,7 +18,7 @@ final case class FitOptions(
     volume: Option[Path] = None,
     top: String = "icebreaker-raster",
     size: (Int, Int) = (240, 320),
-    light: Option[Vector3d] = None,
+    light: Option[Vector3] = None,
     cullBack: Boolean = false,
     wrap: Wrap = Wrap.Repeat,
     synthesis: Boolean = true,
@@ -82,7 +82,7 @@ object FitOptions {
       "WxH",
       "of the screen, pixels (default 240x320)"
     )((v, o) => o.copy(size = v))(size),
-    option[Option[Vector3d]]("light", "none|x,y,z", "direction towards the light (default none)")((v, o) =>
+    option[Option[Vector3]]("light", "none|x,y,z", "direction towards the light (default none)")((v, o) =>
       o.copy(light = v)
     )(scopt.Read.reads(t => Option.when(t != "none")(vector.reads(t)))),
     option[Boolean](

@@ -3,10 +3,10 @@ package frustum.command.render
 import frustum.command.common.Arguments
 import frustum.contract.raster.Wrap
 import frustum.contract.video.Panel
+import frustum.driver.linear.Vector3
 import frustum.driver.scene.TextureImage
 import frustum.engine.raster.Engines
 import frustum.scene.Scenes
-import org.joml.Vector3d
 import scopt.OParser
 import java.nio.file.Path
 
@@ -19,15 +19,15 @@ final case class RenderOptions(
     texture: Option[Path] = None,
     textureSize: Option[Int] = None,
     strict: Boolean = false,
-    eye: Option[Vector3d] = None,
-    at: Option[Vector3d] = None,
-    up: Option[Vector3d] = None,
+    eye: Option[Vector3] = None,
+    at: Option[Vector3] = None,
+    up: Option[Vector3] = None,
     fov: Option[Double] = None,
     near: Option[Double] = None,
     far: Option[Double] = None,
     ortho: Option[Double] = None,
     size: (Int, Int) = (240, 320),
-    light: Option[Vector3d] = None,
+    light: Option[Vector3] = None,
     cullBack: Boolean = false,
     filter: String = "nearest",
     wrap: Wrap = Wrap.Repeat,
@@ -77,9 +77,9 @@ object RenderOptions {
   private val cameraOptions = {
     val own = "(default: the scene's; an OBJ is framed)"
     OParser.sequence(
-      option[Vector3d]("eye", "x,y,z", s"where the camera is $own")((v, o) => o.copy(eye = Some(v)))(vector),
-      option[Vector3d]("at", "x,y,z", s"where it looks $own")((v, o) => o.copy(at = Some(v)))(vector),
-      option[Vector3d]("up", "x,y,z", s"what is upwards $own")((v, o) => o.copy(up = Some(v)))(vector),
+      option[Vector3]("eye", "x,y,z", s"where the camera is $own")((v, o) => o.copy(eye = Some(v)))(vector),
+      option[Vector3]("at", "x,y,z", s"where it looks $own")((v, o) => o.copy(at = Some(v)))(vector),
+      option[Vector3]("up", "x,y,z", s"what is upwards $own")((v, o) => o.copy(up = Some(v)))(vector),
       option[Double]("fov", "DEG", "vertical field of view (default: the scene's; 45 for an OBJ)")((v, o) =>
         o.copy(fov = Some(v))
       )(positive),
@@ -97,7 +97,7 @@ object RenderOptions {
 
   private val lookOptions = OParser.sequence(
     option[(Int, Int)]("size", "WxH", "pixels (default 240x320)")((v, o) => o.copy(size = v))(Arguments.size),
-    option[Option[Vector3d]](
+    option[Option[Vector3]](
       "light",
       "none|x,y,z",
       "direction towards the light: Lambert per vertex, ambient 0.2\n" +

@@ -2,7 +2,7 @@ package frustum.command.voxel
 
 import frustum.command.common.Arguments
 import frustum.contract.voxel.{LeapField, VoxelConfig}
-import org.joml.Vector3d
+import frustum.driver.linear.Vector3
 import scopt.{OParser, Read}
 import java.nio.file.{Path, Paths}
 
@@ -11,10 +11,10 @@ final case class VoxelOptions(
     world: Option[Path] = None,
     worldSize: (Int, Int, Int) = (64, 64, 32),
     blocks: Option[Path] = None,
-    eye: Option[Vector3d] = None,
+    eye: Option[Vector3] = None,
     yaw: Option[Double] = None,
     pitch: Option[Double] = None,
-    look: Option[Vector3d] = None,
+    look: Option[Vector3] = None,
     size: (Int, Int) = (320, 240),
     focal: Option[Double] = None,
     distance: Int = 24,
@@ -87,7 +87,7 @@ object VoxelOptions {
         "kinds of block; docs/voxel.md tells the form (default: 24 of ours)",
         Arguments.file
       )((o, v) => o.copy(blocks = Some(v))),
-      option[Vector3d](
+      option[Vector3](
         "eye",
         "x,y,z",
         "in blocks (default: a standing person's in the middle of the world)",
@@ -99,7 +99,7 @@ object VoxelOptions {
       option[Double]("pitch", "DEG", "-90 to 90, up is positive (default -10)", Arguments.finite)((o, v) =>
         o.copy(pitch = Some(v))
       ),
-      option[Vector3d]("look", "dx,dy,dz", "direction, instead of --yaw and --pitch", Arguments.vector)((o, v) =>
+      option[Vector3]("look", "dx,dy,dz", "direction, instead of --yaw and --pitch", Arguments.vector)((o, v) =>
         o.copy(look = Some(v))
       ),
       option[(Int, Int)]("size", "WxH", "pixels (default 320x240)", Arguments.size)((o, v) =>

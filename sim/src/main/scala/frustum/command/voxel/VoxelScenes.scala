@@ -3,11 +3,11 @@ package frustum.command.voxel
 import frustum.contract.InputError
 import frustum.contract.voxel.{VoxelAssets, VoxelConfig, WorldSize}
 import frustum.demos.voxel.Blocks
+import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
 import frustum.files.InputFile
 import frustum.scene.{BlockFile, Hills, VoxFile, VoxelWorld}
 import frustum.voxel.CompactVoxelPipeline
-import org.joml.Vector3d
 
 /** What the arguments of `voxel` ask for. */
 final case class VoxelScene(
@@ -69,9 +69,9 @@ object VoxelScenes {
   }
 
   /** Eyes of a person in the middle of the world, on its highest block there. */
-  private def standing(world: VoxelWorld): Vector3d = {
+  private def standing(world: VoxelWorld): Vector3 = {
     val (x, y) = (world.size.x / 2, world.size.y / 2)
-    new Vector3d(x + 0.5, y + 0.5, world.surface(x, y) + 2.6)
+    Vector3(x + 0.5, y + 0.5, world.surface(x, y) + 2.6)
   }
 
   /** Views that the hardware takes, or InputError naming the line. */
@@ -79,7 +79,7 @@ object VoxelScenes {
     val views = for ((line, i) <- text.linesIterator.toSeq.zipWithIndex if line.trim.nonEmpty) yield {
       line.trim.split("\\s+").map(_.toDoubleOption.filter(_.isFinite)) match {
         case Array(Some(x), Some(y), Some(z), Some(yaw), Some(pitch)) =>
-          val view = VoxelView(new Vector3d(x, y, z), yaw, pitch, focal)
+          val view = VoxelView(Vector3(x, y, z), yaw, pitch, focal)
           try view.camera(config)
           catch { case InputError(message) => throw InputError(s"$file:${i + 1}: ${message.stripPrefix("--")}") }
           view

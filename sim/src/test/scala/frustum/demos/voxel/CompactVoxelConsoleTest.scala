@@ -2,6 +2,7 @@ package frustum.demos.voxel
 
 import frustum.contract.arithmetic.IntVector
 import frustum.contract.voxel.{VoxelCamera, VoxelConfig, VoxelHostCommand, WorldSize}
+import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
 import frustum.engine.EngineSim
 import frustum.engine.voxel.{CompactVoxelPins, CompactVoxelSession}
@@ -10,7 +11,6 @@ import frustum.model.voxel.VoxelModel
 import frustum.model.voxel.world.LeapWords
 import frustum.peripheral.{SimTftReader, TftController}
 import frustum.scene.{Hills, VoxelWorld}
-import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 
@@ -75,7 +75,7 @@ class CompactVoxelConsoleTest extends AnyFunSuite with Simulated {
     def clocks: Long = dut.io.clocks.toLong
   }
 
-  private def camera(x: Double, yaw: Double) = VoxelView(new Vector3d(x, 7.3, 6.4), yaw, -20, focal).camera(c)
+  private def camera(x: Double, yaw: Double) = VoxelView(Vector3(x, 7.3, 6.4), yaw, -20, focal).camera(c)
 
   /** An eye whose component `axis` would come out elsewhere if its highest bits were cut. */
   private def far(axis: Int) = {
@@ -103,7 +103,7 @@ class CompactVoxelConsoleTest extends AnyFunSuite with Simulated {
   test("a world and a camera from the host, none of the world's words lost while pictures are drawn") {
     compiled.doSim("load", 2) { dut =>
       val session = new Session(dut)
-      val view = VoxelView(new Vector3d(8, 7.3, 6.4), 30, -60, focal).camera(c)
+      val view = VoxelView(Vector3(8, 7.3, 6.4), 30, -60, focal).camera(c)
       for ((word, address) <- LeapWords(world, c.leaps).zipWithIndex)
         session.send(VoxelHostCommand.write(address, word))
       session.send(VoxelHostCommand.highlight(view))

@@ -2,9 +2,9 @@ package frustum.demos.voxel
 
 import frustum.contract.arithmetic.{IntVector, SineTable}
 import frustum.contract.voxel.VoxelConfig
+import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
 import frustum.model.demos.voxel.{PlayerCamera, VoxelPlayer}
-import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 import scala.math.sin
 
@@ -26,10 +26,10 @@ class PlayerCameraTest extends AnyFunSuite {
     for (yaw <- 0 until 1024 by 37; pitch <- -248 to 248 by 31) {
       val player = VoxelPlayer(IntVector(1000, 2000, 3000), yaw, pitch)
       val camera = PlayerCamera(player, c, program)
-      val ideal = VoxelView(new Vector3d(), yaw * 360 / 1024.0, pitch * 360 / 1024.0, focal)
+      val ideal = VoxelView(Vector3.Zero, yaw * 360 / 1024.0, pitch * 360 / 1024.0, focal)
       for (i <- Seq(0, 97, width - 1); j <- Seq(0, 71, height - 1)) {
         val Seq(x, y, z) = camera.direction(i, j).map(_.toDouble)
-        val d = new Vector3d(x, y, z)
+        val d = Vector3(x, y, z)
         // Back onto the screen, pixels from the ideal place.
         val depth = d.dot(ideal.look)
         val right = d.dot(ideal.right) / depth * focal - (i + 0.5 - width / 2.0)

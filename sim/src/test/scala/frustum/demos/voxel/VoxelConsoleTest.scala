@@ -3,6 +3,7 @@ package frustum.demos.voxel
 import frustum.contract.arithmetic.IntVector
 import frustum.contract.video.{ColorFormat, PinColor, VideoMode}
 import frustum.contract.voxel.{LeapField, SeenFace, VoxelCamera, VoxelConfig, VoxelHostCommand, WorldSize}
+import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
 import frustum.engine.voxel.{VoxelBoardSession, VoxelBoardTestbed}
 import frustum.harness.Simulated
@@ -11,7 +12,6 @@ import frustum.model.voxel.VoxelModel
 import frustum.model.voxel.world.LeapWords
 import frustum.peripheral.SimConsolePad
 import frustum.scene.{Hills, VoxelWorld}
-import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
 import scala.collection.mutable.ArrayBuffer
@@ -48,11 +48,11 @@ class VoxelConsoleTest extends AnyFunSuite with Simulated {
     val model = new VoxelModel(c, Blocks.assets, world)
     shown(model, camera, model.pointedAt(camera, VoxelConfig.Reach), None, console)
   }
-  private def camera(x: Double, yaw: Double) = VoxelView(new Vector3d(x, 7.3, 12.4), yaw, -20, 45).camera(c)
+  private def camera(x: Double, yaw: Double) = VoxelView(Vector3(x, 7.3, 12.4), yaw, -20, 45).camera(c)
 
   test("a host's cameras: the picture alone, or with the face in its middle highlighted") {
     run(config, 1) { (_, session) =>
-      val down = VoxelView(new Vector3d(8.2, 7.3, 12.4), 30, -60, 45).camera(c)
+      val down = VoxelView(Vector3(8.2, 7.3, 12.4), 30, -60, 45).camera(c)
       session.send(VoxelHostCommand.highlight(down))
       val high = session.settled()
       assert(high.sameElements(highlighted(world, down)))

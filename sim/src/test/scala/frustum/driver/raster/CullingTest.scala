@@ -1,10 +1,10 @@
 package frustum.driver.raster
 
 import frustum.contract.raster.RasterConfig
+import frustum.driver.linear.Vector3
 import frustum.driver.scene.{Scene, Triangle}
 import frustum.engine.raster.{EngineOptions, Engines}
 import frustum.scene.Scenes
-import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 
 /** Which faces are the back ones is judged in world space, from corners and eye alone: a triangle is listed
@@ -16,14 +16,14 @@ class CullingTest extends AnyFunSuite {
   private val culled = Fixtures.options.copy(cullBack = true)
 
   private def outwards(t: Triangle) =
-    new Vector3d(t.v1.position).sub(t.v0.position).cross(new Vector3d(t.v2.position).sub(t.v0.position))
+    (t.v1.position - t.v0.position).cross(t.v2.position - t.v0.position)
 
   /** Above 0 where the eye is on the side that the front faces; towards an orthographic eye all lines are parallel. */
   private def facing(s: Scene, t: Triangle): Double = {
     val towardsEye =
-      if (s.camera.orthoHeight.isDefined) new Vector3d(s.camera.eye).sub(s.camera.at)
-      else new Vector3d(s.camera.eye).sub(t.v0.position)
-    outwards(t).dot(towardsEye.normalize) / outwards(t).length
+      if (s.camera.orthoHeight.isDefined) s.camera.eye - s.camera.at
+      else s.camera.eye - t.v0.position
+    outwards(t).dot(towardsEye.normalized) / outwards(t).length
   }
 
   /** Convex and closed, from several sides, in both projections. */
@@ -31,7 +31,7 @@ class CullingTest extends AnyFunSuite {
     val ball = Scenes.cube.copy(name = "ball", triangles = Fixtures.sphere(6, 9, 0.6))
     for {
       scene <- Seq(Scenes.cube, ball)
-      eye <- Seq(scene.camera.eye, new Vector3d(-2, -2.5, 1.5), new Vector3d(0.3, 0.2, -3.9), new Vector3d(3.8, 0.1, 0))
+      eye <- Seq(scene.camera.eye, Vector3(-2, -2.5, 1.5), Vector3(0.3, 0.2, -3.9), Vector3(3.8, 0.1, 0))
       ortho <- Seq(None, Some(2.0))
     } yield scene.copy(camera = scene.camera.copy(eye = eye, orthoHeight = ortho))
   }

@@ -2,10 +2,10 @@ package frustum.driver.raster
 
 import frustum.contract.InputError
 import frustum.contract.raster.{Combine, Domain, Wrap}
+import frustum.driver.linear.Vector3
 import frustum.driver.raster.Fixtures._
 import frustum.driver.scene.{Camera, Material, Scene, SceneOrigin}
 import frustum.scene.Scenes
-import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 
 class DriverTest extends AnyFunSuite {
@@ -45,7 +45,7 @@ class DriverTest extends AnyFunSuite {
 
   test("a closed mesh costs at most 20 bytes a triangle on the wire") {
     for ((name, mesh) <- Seq("sphere" -> scene(sphere(16, 30, 100)), "teapot" -> Scenes.teapot())) {
-      val p = prepare(mesh, options.copy(light = Some(new Vector3d(1, 2, 3))))
+      val p = prepare(mesh, options.copy(light = Some(Vector3(1, 2, 3))))
       val bytes = p.passes.flatMap(Driver.commands).flatten.length
       info(f"$name: ${bytes.toDouble / p.trianglesDrawn}%.2f bytes a triangle")
       assert(p.passes.length == 1 && bytes <= 20 * p.trianglesDrawn, name)
@@ -73,7 +73,7 @@ class DriverTest extends AnyFunSuite {
 
   test("light: Lambert with ambient 0.2, and it does not turn with the model") {
     def red(options: DrawOptions) = prepare(scene(Seq(front)), options).passes.head.vertices.map(_.r).distinct
-    def lit(x: Double, y: Double, z: Double) = options.copy(light = Some(new Vector3d(x, y, z)))
+    def lit(x: Double, y: Double, z: Double) = options.copy(light = Some(Vector3(x, y, z)))
     assert(red(lit(0, 0, 5)) == Seq(255))
     assert(red(lit(0, 0, -5)) == Seq(51))
     assert(red(lit(3, 0, 4)) == Seq(((0.2 + 0.8 * 0.8) * 255).round))
@@ -81,7 +81,7 @@ class DriverTest extends AnyFunSuite {
   }
 
   test("a light without direction is refused") {
-    for (light <- Seq(new Vector3d, new Vector3d(0, Double.NaN, 0)))
+    for (light <- Seq(Vector3.Zero, Vector3(0, Double.NaN, 0)))
       assert(
         intercept[InputError](prepare(scene(Seq(front)), options.copy(light = Some(light)))).message
           .contains("has no direction")
@@ -92,7 +92,7 @@ class DriverTest extends AnyFunSuite {
     val p = scene(Seq(front), textured(8, 8))
     assert(prepare(p).passes.head.states.map(_.combine) == Seq(Combine.Replace))
     assert(
-      prepare(p, options.copy(light = Some(new Vector3d(1, 0, 0)))).passes.head.states.map(_.combine) == Seq(
+      prepare(p, options.copy(light = Some(Vector3(1, 0, 0)))).passes.head.states.map(_.combine) == Seq(
         Combine.Modulate
       )
     )
@@ -113,7 +113,7 @@ class DriverTest extends AnyFunSuite {
       val wall = Seq(
         triangle(vertex(-scale, -scale, -scale), vertex(scale, -scale, -scale), vertex(0, scale, -4 * scale))
       )
-      val camera = Camera(new Vector3d, new Vector3d(0, 0, -1), new Vector3d(0, 1, 0), 60, near, far)
+      val camera = Camera(Vector3.Zero, Vector3(0, 0, -1), Vector3(0, 1, 0), 60, near, far)
       Driver.prepare(scene(wall), camera, options, config, 0)
     }
     val plain = seen(0.1, 10, 1)
@@ -128,7 +128,7 @@ class DriverTest extends AnyFunSuite {
       )
     }
     val deep = Seq(1e-3, 1e6).map(d => triangle(vertex(-d, -d, -d), vertex(d, -d, -d), vertex(0, d, -d)))
-    val camera = Camera(new Vector3d, new Vector3d(0, 0, -1), new Vector3d(0, 1, 0), 60, 1e-4, 1e7)
+    val camera = Camera(Vector3.Zero, Vector3(0, 0, -1), Vector3(0, 1, 0), 60, 1e-4, 1e7)
     val error = intercept[InputError](Driver.prepare(scene(deep), camera, options, config, 0))
     assert(error.message.contains("262144 times") && error.message.contains("near plane"))
   }
@@ -138,14 +138,14 @@ class DriverTest extends AnyFunSuite {
     for (
       (camera, part) <- Seq(
         c.copy(at = c.eye) -> "same point",
-        c.copy(up = new Vector3d(c.eye)) -> "line of sight",
-        c.copy(up = new Vector3d) -> "line of sight",
+        c.copy(up = c.eye) -> "line of sight",
+        c.copy(up = Vector3.Zero) -> "line of sight",
         c.copy(near = 0) -> "near 0.0 must be above 0",
         c.copy(far = 0.1) -> "must be less than far",
         c.copy(fovDegrees = 180) -> "fov 180.0",
         c.copy(orthoHeight = Some(0)) -> "ortho 0.0",
-        c.copy(eye = new Vector3d(1e300, 0, 0)) -> "eye 1.0E300,0.0,0.0 is beyond",
-        c.copy(eye = new Vector3d(Double.NaN)) -> "not finite"
+        c.copy(eye = Vector3(1e300, 0, 0)) -> "eye 1.0E300,0.0,0.0 is beyond",
+        c.copy(eye = Vector3(Double.NaN, Double.NaN, Double.NaN)) -> "not finite"
       )
     ) {
       val error = intercept[InputError](Driver.prepare(Scenes.cube, camera, options, config, 0))

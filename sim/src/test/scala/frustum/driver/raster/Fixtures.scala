@@ -1,9 +1,9 @@
 package frustum.driver.raster
 
 import frustum.contract.raster.{RasterConfig, Wrap}
+import frustum.driver.linear.{Vector3, Vector4}
 import frustum.driver.scene.{Camera, Material, MeshVertex, Scene, TextureImage, Triangle}
 import frustum.scene.{Grid, Pictures}
-import org.joml.{Vector3d, Vector4d}
 
 /** Small scenes and the options the host tests share. */
 object Fixtures {
@@ -13,9 +13,9 @@ object Fixtures {
   /** One unit is one pixel, y up, the origin in the middle of the screen. */
   def pixelCamera(c: RasterConfig): Camera =
     Camera(
-      new Vector3d(0, 0, 10),
-      new Vector3d,
-      new Vector3d(0, 1, 0),
+      Vector3(0, 0, 10),
+      Vector3.Zero,
+      Vector3(0, 1, 0),
       45,
       -500,
       500,
@@ -23,7 +23,7 @@ object Fixtures {
     )
 
   def vertex(x: Double, y: Double, z: Double = 0, s: Double = 0, t: Double = 0): MeshVertex =
-    MeshVertex(new Vector3d(x, y, z), new Vector3d(0, 0, 1), s, t, (1, 1, 1, 1))
+    MeshVertex(Vector3(x, y, z), Vector3(0, 0, 1), s, t, (1, 1, 1, 1))
 
   def triangle(a: MeshVertex, b: MeshVertex, c: MeshVertex, material: Int = 0): Triangle =
     Triangle(a, b, c, material)
@@ -44,7 +44,7 @@ object Fixtures {
     Material.textured(s"$width x $height", texture(width, height), 1)
 
   def clipVertex(x: Double, y: Double, z: Double, w: Double, s: Double = 0, t: Double = 0): ClipVertex =
-    ClipVertex(new Vector4d(x, y, z, w), s, t, new Vector4d(1, 1, 1, 1))
+    ClipVertex(Vector4(x, y, z, w), s, t, Vector4(1, 1, 1, 1))
 
   def prepare(
       scene: Scene,
@@ -59,8 +59,8 @@ object Fixtures {
     val rows = IndexedSeq.tabulate(rings + 1, segments + 1) { (i, j) =>
       val (theta, phi) = (scala.math.Pi * i / rings, 2 * scala.math.Pi * (j % segments) / segments)
       val flat = if (i == 0 || i == rings) 0.0 else scala.math.sin(theta)
-      val n = new Vector3d(flat * scala.math.cos(phi), scala.math.cos(theta), -flat * scala.math.sin(phi))
-      MeshVertex(new Vector3d(n).mul(radius), n, 0, 0, (1, 1, 1, 1))
+      val n = Vector3(flat * scala.math.cos(phi), scala.math.cos(theta), -flat * scala.math.sin(phi))
+      MeshVertex(n * radius, n, 0, 0, (1, 1, 1, 1))
     }
     Grid.triangles(rows, 0)
   }

@@ -3,11 +3,11 @@ package frustum.model.voxel
 import frustum.contract.arithmetic.IntVector
 import frustum.contract.voxel.{LeapField, VoxelCamera, VoxelConfig, WorldSize}
 import frustum.demos.voxel.Blocks
+import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
 import frustum.judge.{VoxelCounts, VoxelJudge}
 import frustum.model.voxel.wide.{FaceTexel, VoxelRaySetup}
 import frustum.scene.{Hills, VoxelWorld}
-import org.joml.Vector3d
 import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random
 
@@ -58,7 +58,7 @@ class VoxelModelTest extends AnyFunSuite {
       val c = VoxelConfig(width = 40, height = 30, leaps = field)
       val counts = for (seed <- 1 to 3; yaw <- 0 until 360 by 60) yield {
         val model = new VoxelModel(c, Blocks.assets, Hills(c.size, seed))
-        val view = VoxelView(new Vector3d(30.3, 31.6, 24), yaw + 7, -15, 225 / 8.0)
+        val view = VoxelView(Vector3(30.3, 31.6, 24), yaw + 7, -15, 225 / 8.0)
         val camera = view.camera(c)
         val pixels = for (j <- 0 until c.height; i <- 0 until c.width) yield model.pixel(camera, i, j)
         new VoxelJudge(model).picture(camera, view, pixels)
@@ -79,7 +79,7 @@ class VoxelModelTest extends AnyFunSuite {
       new VoxelModel(c, Blocks.assets, VoxelWorld.tabulate(c.size)((_, _, z) => if (z == 0) 1 else 0))
     val worst =
       Seq.fill(40)((random.nextDouble() * 360, random.nextDouble() * 180 - 90)).map { case (yaw, pitch) =>
-        val view = VoxelView(new Vector3d(32, 32, 16), yaw, pitch, 225)
+        val view = VoxelView(Vector3(32, 32, 16), yaw, pitch, 225)
         val camera = view.camera(c)
         val ideal = VoxelJudge.rays(view, c)
         (for (j <- 0 until c.height by 7; i <- 0 until c.width by 7) yield {

@@ -5,7 +5,10 @@ package frustum.driver.linear
   * @param rows four rows of four numbers
   */
 final case class Matrix4(rows: IndexedSeq[IndexedSeq[Double]]) {
-  require(rows.length == 4 && rows.forall(_.length == 4), s"Matrix4: rows of ${rows.map(_.length).mkString(", ")} numbers")
+  require(
+    rows.length == 4 && rows.forall(_.length == 4),
+    s"Matrix4: rows of ${rows.map(_.length).mkString(", ")} numbers"
+  )
 
   /** The matrix that does `m` first, then this. */
   def *(m: Matrix4): Matrix4 = Matrix4(rows.map(row => IndexedSeq.tabulate(4)(k => Matrix4.sum(row, m.rows.map(_(k))))))
@@ -16,11 +19,13 @@ final case class Matrix4(rows: IndexedSeq[IndexedSeq[Double]]) {
     Vector4(x, y, z, w)
   }
 
+  /** A point, by a matrix that keeps w. */
+  def point(v: Vector3): Vector3 = withoutW(this * Vector4.point(v))
+
   /** A direction: translations do not move it. */
-  def direction(v: Vector3): Vector3 = {
-    val turned = this * Vector4(v.x, v.y, v.z, 0)
-    Vector3(turned.x, turned.y, turned.z)
-  }
+  def direction(v: Vector3): Vector3 = withoutW(this * Vector4.direction(v))
+
+  private def withoutW(v: Vector4) = Vector3(v.x, v.y, v.z)
 }
 
 object Matrix4 {

@@ -9,3 +9,8 @@ final case class Vector4(x: Double, y: Double, z: Double, w: Double) {
   def lerp(v: Vector4, f: Double): Vector4 =
     Vector4(x + (v.x - x) * f, y + (v.y - y) * f, z + (v.z - z) * f, w + (v.w - w) * f)
 }
+
+object Vector4 {
+  def point(v: Vector3): Vector4 = Vector4(v.x, v.y, v.z, 1)
+  def direction(v: Vector3): Vector4 = Vector4(v.x, v.y, v.z, 0)
+}

@@ -1,7 +1,7 @@
 package frustum.driver.raster
 
 import frustum.contract.raster.{RasterConfig, VertexRanges}
-import org.joml.Vector4d
+import frustum.driver.linear.Vector4
 
 /** Cuts triangles in homogeneous clip space, before the division by w.
   *
@@ -14,7 +14,7 @@ import org.joml.Vector4d
 final class Clipper(config: RasterConfig) {
 
   /** Half spaces, positive inside; each linear in the clip coordinates. */
-  private type Plane = Vector4d => Double
+  private type Plane = Vector4 => Double
 
   private val near: Plane = c => c.w + c.z
   private val far: Plane = c => c.w - c.z
@@ -25,8 +25,8 @@ final class Clipper(config: RasterConfig) {
   private val guardBand = Clipper.guardBand(config.ranges)
 
   /** x on the screen, times w, pixels. */
-  private def screenX(c: Vector4d) = (c.w + c.x) * config.width / 2
-  private def screenY(c: Vector4d) = (c.w - c.y) * config.height / 2
+  private def screenX(c: Vector4) = (c.w + c.x) * config.width / 2
+  private def screenY(c: Vector4) = (c.w - c.y) * config.height / 2
   private val guards: Seq[Plane] = Seq(
     c => guardBand * c.w - screenX(c),
     c => guardBand * c.w + screenX(c),
@@ -40,16 +40,16 @@ final class Clipper(config: RasterConfig) {
   def clip(triangle: IndexedSeq[ClipVertex]): IndexedSeq[ClipVertex] =
     if (frustum.exists(plane => triangle.forall(v => plane(v.clip) < 0))) IndexedSeq.empty
     else {
-      val byNear = cut(triangle, near, v => v.clip.z = -v.clip.w)
-      val byFar = cut(byNear, far, v => v.clip.z = v.clip.w)
-      guards.foldLeft(byFar)((polygon, plane) => cut(polygon, plane, _ => ()))
+      val byNear = cut(triangle, near, c => c.copy(z = -c.w))
+      val byFar = cut(byNear, far, c => c.copy(z = c.w))
+      guards.foldLeft(byFar)((polygon, plane) => cut(polygon, plane, identity))
     }
 
   /** Sutherland and Hodgman's step for one plane. `settle` puts a new vertex exactly onto the plane. */
   private def cut(
       polygon: IndexedSeq[ClipVertex],
       plane: Plane,
-      settle: ClipVertex => Unit
+      settle: Vector4 => Vector4
   ): IndexedSeq[ClipVertex] =
     if (polygon.forall(v => plane(v.clip) >= 0)) polygon
     else
@@ -60,8 +60,7 @@ final class Clipper(config: RasterConfig) {
         def crossing = {
           val v =
             if (da >= 0) Clipper.between(a, b, da / (da - db)) else Clipper.between(b, a, db / (db - da))
-          settle(v)
-          v
+          v.copy(clip = settle(v.clip))
         }
         if (da >= 0) { if (db >= 0 || da == 0) Seq(a) else Seq(a, crossing) }
         else if (db > 0) Seq(crossing)
@@ -76,9 +75,9 @@ object Clipper {
 
   /** The point a fraction f of the way from a to b; all attributes are linear in clip space. */
   def between(a: ClipVertex, b: ClipVertex, f: Double): ClipVertex = ClipVertex(
-    new Vector4d(a.clip).lerp(b.clip, f),
+    a.clip.lerp(b.clip, f),
     a.s + (b.s - a.s) * f,
     a.t + (b.t - a.t) * f,
-    new Vector4d(a.rgba).lerp(b.rgba, f)
+    a.rgba.lerp(b.rgba, f)
   )
 }

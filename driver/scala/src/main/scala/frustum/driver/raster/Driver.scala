@@ -2,8 +2,8 @@ package frustum.driver.raster
 
 import frustum.contract.InputError
 import frustum.contract.raster.{FramePass, PackedTriangle, PackedVertex, RasterConfig, TextureUpload, VertexRanges}
+import frustum.driver.linear.Matrix4
 import frustum.driver.scene.{Camera, Scene}
-import org.joml.{Matrix4d, Vector4d}
 import scala.collection.mutable
 
 /** From a scene to what the hardware draws: matrices, light, clipping, culling, packing, passes, wire
@@ -77,12 +77,10 @@ object Driver {
   def commands(upload: TextureUpload): Seq[Seq[Int]] = CommandEncoder.upload(upload)
 
   /** The model's turn in the world. */
-  private[raster] def turnOf(scene: Scene, options: DrawOptions): Matrix4d = {
+  private[raster] def turnOf(scene: Scene, options: DrawOptions): Matrix4 = {
     val centre = scene.boundingSphere._1
-    new Matrix4d()
-      .translate(centre)
-      .rotateY(scala.math.toRadians(options.turnDegrees))
-      .translate(-centre.x, -centre.y, -centre.z)
+    Matrix4.translation(centre) * Matrix4.rotationY(scala.math.toRadians(options.turnDegrees)) *
+      Matrix4.translation(-centre)
   }
 
   private def clipTriangles(
@@ -93,7 +91,7 @@ object Driver {
       states: StateTable
   ): IndexedSeq[ClipTriangle] = {
     val turn = turnOf(scene, options)
-    val toClip = Projection(camera, config.width.toDouble / config.height).mul(turn)
+    val toClip = Projection(camera, config.width.toDouble / config.height) * turn
     val shader = new VertexShader(toClip, turn, options.light)
     val clipper = new Clipper(config)
     val shaded = scene.triangles.zipWithIndex.map { case (t, i) =>
@@ -128,7 +126,7 @@ object Driver {
     val w = triangles.iterator.flatMap(_.v).map(_.clip.w).toSeq
     val scale = if (w.isEmpty) 1.0 else WScale.factor(w.min, w.max)
     if (scale == 1) triangles
-    else triangles.map(t => t.copy(v = t.v.map(v => v.copy(clip = new Vector4d(v.clip).mul(scale)))))
+    else triangles.map(t => t.copy(v = t.v.map(v => v.copy(clip = v.clip * scale))))
   }
 
   /** Snaps a triangle to the screen and turns it clockwise; None when it is not to be drawn. Its front is seen where it

@@ -1,8 +1,8 @@
 package frustum.driver.raster
 
 import frustum.contract.raster.RasterConfig
+import frustum.driver.linear.{Matrix4, Vector4}
 import frustum.driver.scene.{Camera, Scene}
-import org.joml.{Matrix4d, Vector3d, Vector4d}
 import scala.util.Try
 
 /** Whether a picture is empty, and why. */
@@ -19,12 +19,12 @@ object EmptyView {
   /** What takes all of a scene out of the picture, and what would help. */
   def cause(scene: Scene, camera: Camera, options: DrawOptions, config: RasterConfig): String = {
     val turn = Driver.turnOf(scene, options)
-    val toClip = Projection(camera, config.width.toDouble / config.height).mul(turn)
-    val clip = scene.triangles.map(_.vertices.map(v => toClip.transform(new Vector4d(v.position, 1))))
-    def outside(plane: Vector4d => Double) = (t: Seq[Vector4d]) => t.forall(plane(_) < 0)
+    val toClip = Projection(camera, config.width.toDouble / config.height) * turn
+    val clip = scene.triangles.map(_.vertices.map(v => toClip * Vector4.point(v.position)))
+    def outside(plane: Vector4 => Double) = (t: Seq[Vector4]) => t.forall(plane(_) < 0)
     val near = outside(v => v.w + v.z)
     val far = outside(v => v.w - v.z)
-    val sides = Seq[Vector4d => Double](v => v.w - v.x, v => v.w + v.x, v => v.w - v.y, v => v.w + v.y).map(outside)
+    val sides = Seq[Vector4 => Double](v => v.w - v.x, v => v.w + v.x, v => v.w - v.y, v => v.w + v.y).map(outside)
     def emptyUnculled =
       Try(apply(Driver.prepare(scene, camera, options.copy(cullBack = false), config, 0))).getOrElse(false)
     if (clip.forall(far))
@@ -40,10 +40,10 @@ object EmptyView {
   }
 
   /** From where to where the scene lies along the line of sight. */
-  private def reach(scene: Scene, camera: Camera, turn: Matrix4d): String = {
-    val sight = new Vector3d(camera.at).sub(camera.eye).normalize
+  private def reach(scene: Scene, camera: Camera, turn: Matrix4): String = {
+    val sight = (camera.at - camera.eye).normalized
     val depth = scene.triangles.flatMap(_.vertices).map(v =>
-      turn.transformPosition(new Vector3d(v.position)).sub(camera.eye).dot(sight)
+      (turn.point(v.position) - camera.eye).dot(sight)
     )
     f"it lies ${depth.min}%.4g to ${depth.max}%.4g from the eye"
   }

@@ -1,7 +1,7 @@
 package frustum.driver.raster
 
 import frustum.contract.raster.{FramePass, RasterConfig, RenderState, TextureUpload, Wrap}
-import org.joml.{Vector3d, Vector4d}
+import frustum.driver.linear.{Vector3, Vector4}
 
 /** How a scene is to be drawn.
   *
@@ -19,7 +19,7 @@ import org.joml.{Vector3d, Vector4d}
   *   the model is turned about +y through the centre of its bounding sphere; the light is not
   */
 final case class DrawOptions(
-    light: Option[Vector3d],
+    light: Option[Vector3],
     cullBack: Boolean,
     wrap: Wrap,
     background: Int,
@@ -28,7 +28,7 @@ final case class DrawOptions(
 )
 
 /** A vertex in clip space before quantisation: inside when -w <= x, y, z <= w. `rgba` is 0..1, lit. */
-final case class ClipVertex(clip: Vector4d, s: Double, t: Double, rgba: Vector4d)
+final case class ClipVertex(clip: Vector4, s: Double, t: Double, rgba: Vector4)
 
 /** A triangle that survived clipping and culling, in the order of its vertices on the wire.
   *

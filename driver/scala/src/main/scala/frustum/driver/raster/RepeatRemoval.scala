@@ -1,7 +1,6 @@
 package frustum.driver.raster
 
 import frustum.contract.raster.{Domain, PackedVertex, Wrap}
-import org.joml.Vector4d
 import scala.math.{ceil, floor}
 
 /** Takes whole repeats out of texture coordinates: they change no texel, but texel errors grow with the
@@ -59,10 +58,10 @@ object RepeatRemoval {
 
   /** The same whichever end comes first; all attributes are linear in clip space. */
   private def middle(a: ClipVertex, b: ClipVertex): ClipVertex = ClipVertex(
-    new Vector4d(a.clip).add(b.clip).mul(0.5),
+    (a.clip + b.clip) * 0.5,
     (a.s + b.s) / 2,
     (a.t + b.t) / 2,
-    new Vector4d(a.rgba).add(b.rgba).mul(0.5)
+    (a.rgba + b.rgba) * 0.5
   )
 
   /** Repeats to subtract from s and t of a part. */

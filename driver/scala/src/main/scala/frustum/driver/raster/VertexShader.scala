@@ -1,7 +1,7 @@
 package frustum.driver.raster
 
+import frustum.driver.linear.{Matrix4, Vector3, Vector4}
 import frustum.driver.scene.{Material, MeshVertex}
-import org.joml.{Matrix4d, Vector3d, Vector4d}
 
 /** Transforms and lights one vertex.
   *
@@ -12,15 +12,15 @@ import org.joml.{Matrix4d, Vector3d, Vector4d}
   * @param light
   *   direction towards the light, world space
   */
-final class VertexShader(toClip: Matrix4d, turn: Matrix4d, light: Option[Vector3d]) {
+final class VertexShader(toClip: Matrix4, turn: Matrix4, light: Option[Vector3]) {
   def apply(v: MeshVertex, material: Material): ClipVertex = {
     val (r, g, b, a) = v.color
-    val bright = light.fold(1.0)(Lambert.factor(turn.transformDirection(new Vector3d(v.normal)), _))
+    val bright = light.fold(1.0)(Lambert.factor(turn.direction(v.normal), _))
     ClipVertex(
-      toClip.transform(new Vector4d(v.position, 1)),
+      toClip * Vector4.point(v.position),
       v.s,
       v.t,
-      new Vector4d(
+      Vector4(
         r * material.color._1 * bright,
         g * material.color._2 * bright,
         b * material.color._3 * bright,

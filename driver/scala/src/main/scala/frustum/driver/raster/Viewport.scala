@@ -1,7 +1,7 @@
 package frustum.driver.raster
 
 import frustum.contract.raster.{PackedVertex, RasterConfig, VertexRanges}
-import org.joml.Vector4d
+import frustum.driver.linear.Vector4
 import scala.math.round
 
 /** Clip space to the fixed point of [[frustum.contract.raster.PackedVertex]]: y down, 1/16 pixel, depth 0 near to 65535

@@ -1,6 +1,6 @@
 package frustum.driver.scene
 
-import org.joml.Vector3d
+import frustum.driver.linear.Vector3
 
 /** Where a scene is seen from; world units, right-handed, as OpenGL's lookAt and perspective (or ortho) take
   * it.
@@ -13,9 +13,9 @@ import org.joml.Vector3d
   *   full height of the view volume: when given the projection is orthographic
   */
 final case class Camera(
-    eye: Vector3d,
-    at: Vector3d,
-    up: Vector3d,
+    eye: Vector3,
+    at: Vector3,
+    up: Vector3,
     fovDegrees: Double,
     near: Double,
     far: Double,

@@ -1,6 +1,6 @@
 package frustum.driver.scene
 
-import org.joml.Vector3d
+import frustum.driver.linear.Vector3
 import java.nio.file.Path
 
 /** A corner of a triangle. Vertices are values: equal ones are shared when the scene is packed for the
@@ -16,8 +16,8 @@ import java.nio.file.Path
   *   red, green, blue, alpha, 0..1
   */
 final case class MeshVertex(
-    position: Vector3d,
-    normal: Vector3d,
+    position: Vector3,
+    normal: Vector3,
     s: Double,
     t: Double,
     color: (Double, Double, Double, Double)
@@ -55,7 +55,7 @@ final case class Scene(
   /** Centre and radius of the sphere around the bounding box: radius is that of the farthest vertex from the
     * centre.
     */
-  lazy val boundingSphere: (Vector3d, Double) = BoundingSphere(triangles.flatMap(_.vertices.map(_.position)))
+  lazy val boundingSphere: (Vector3, Double) = BoundingSphere(triangles.flatMap(_.vertices.map(_.position)))
 }
 
 /** The file of a scene, and the line of each triangle. */
@@ -63,11 +63,9 @@ final case class SceneOrigin(file: Path, lines: IndexedSeq[Int])
 
 /** The sphere about the middle of the points' bounding box that just holds all of them. */
 object BoundingSphere {
-  def apply(points: Iterable[Vector3d]): (Vector3d, Double) = {
-    if (points.isEmpty) return (new Vector3d, 0.0)
-    val low = points.foldLeft(new Vector3d(Double.PositiveInfinity))((m, p) => m.min(p))
-    val high = points.foldLeft(new Vector3d(Double.NegativeInfinity))((m, p) => m.max(p))
-    val centre = low.add(high).mul(0.5)
+  def apply(points: Iterable[Vector3]): (Vector3, Double) = {
+    if (points.isEmpty) return (Vector3.Zero, 0.0)
+    val centre = (points.reduce(_ min _) + points.reduce(_ max _)) * 0.5
     (centre, points.iterator.map(_.distance(centre)).max)
   }
 }

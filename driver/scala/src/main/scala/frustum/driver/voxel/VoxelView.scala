@@ -3,7 +3,7 @@ package frustum.driver.voxel
 import frustum.contract.arithmetic.IntVector
 import frustum.contract.InputError
 import frustum.contract.voxel.{VoxelCamera, VoxelConfig}
-import org.joml.Vector3d
+import frustum.driver.linear.Vector3
 import scala.math.{cos, sin, toRadians}
 
 /** A pose in a voxel world: eye in blocks, angles in degrees; yaw 0 looks along +x, 90 along +y, pitch 90 up.
@@ -11,19 +11,16 @@ import scala.math.{cos, sin, toRadians}
   * @param focal pixels from the eye to the screen
   * @param asked the direction to look along, where the user gave one in place of angles
   */
-final case class VoxelView(eye: Vector3d, yaw: Double, pitch: Double, focal: Double, asked: Option[Vector3d] = None) {
+final case class VoxelView(eye: Vector3, yaw: Double, pitch: Double, focal: Double, asked: Option[Vector3] = None) {
   private val (cy, sy) = (cos(toRadians(yaw)), sin(toRadians(yaw)))
   private val (cp, sp) = (cos(toRadians(pitch)), sin(toRadians(pitch)))
-  val look = new Vector3d(cy * cp, sy * cp, sp)
-  val right = new Vector3d(sy, -cy, 0)
-  val up = new Vector3d(-cy * sp, -sy * sp, cp)
+  val look = Vector3(cy * cp, sy * cp, sp)
+  val right = Vector3(sy, -cy, 0)
+  val up = Vector3(-cy * sp, -sy * sp, cp)
 
   /** Direction of pixel (i, j), j downwards. */
-  def direction(i: Int, j: Int, c: VoxelConfig): Vector3d =
-    new Vector3d(look).fma(
-      (i + 0.5 - c.width / 2.0) / focal,
-      right
-    ).fma((c.height / 2.0 - j - 0.5) / focal, up)
+  def direction(i: Int, j: Int, c: VoxelConfig): Vector3 =
+    look + right * ((i + 0.5 - c.width / 2.0) / focal) + up * ((c.height / 2.0 - j - 0.5) / focal)
 
   /** Rounded to what the hardware takes; a view that it does not take is refused. */
   def camera(c: VoxelConfig): VoxelCamera = {
@@ -41,17 +38,17 @@ final case class VoxelView(eye: Vector3d, yaw: Double, pitch: Double, focal: Dou
     if (focal > longest) throw InputError(
       s"--focal $focal: rays with slopes of ${c.slopeBits} bits pass their pixels by up to a quarter of one at $longest; reduce --focal"
     )
-    def fixed(v: Vector3d, bits: Int) = {
+    def fixed(v: Vector3, bits: Int) = {
       def round(x: Double) = (x * (1 << bits)).round.toInt
       IntVector(round(v.x), round(v.y), round(v.z))
     }
-    def direct(v: Vector3d) = fixed(v, VoxelCamera.DirectionBits)
+    def direct(v: Vector3) = fixed(v, VoxelCamera.DirectionBits)
     VoxelCamera(
       fixed(eye, c.eyeBits),
       direct(look),
       direct(direction(0, 0, c)),
-      direct(new Vector3d(right).div(focal)),
-      direct(new Vector3d(up).div(-focal))
+      direct(right / focal),
+      direct(up / -focal)
     )
   }
 }
@@ -59,7 +56,7 @@ final case class VoxelView(eye: Vector3d, yaw: Double, pitch: Double, focal: Dou
 object VoxelView {
 
   /** Yaw and pitch of a direction; straight up and down has yaw 0. */
-  def angles(look: Vector3d): (Double, Double) = {
+  def angles(look: Vector3): (Double, Double) = {
     val flat = scala.math.hypot(look.x, look.y)
     (
       if (flat == 0) 0 else scala.math.atan2(look.y, look.x).toDegrees,

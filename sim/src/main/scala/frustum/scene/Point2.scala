@@ -1,0 +1,4 @@
+package frustum.scene
+
+/** A point of a plane. */
+final case class Point2(x: Double, y: Double)
