@@ -5,7 +5,7 @@ import frustum.command.render.{EndToEndBounds, SceneRun}
 import frustum.contract.raster.{RasterConfig, Wrap}
 import frustum.driver.raster.DrawOptions
 import frustum.driver.scene.Camera
-import frustum.engine.raster.{EngineOptions, Engines}
+import frustum.engine.raster.{EngineOptions, RasterEngines}
 import frustum.scene.Scenes
 import org.joml.Vector3d
 
@@ -23,7 +23,7 @@ object AnyPictures {
       RasterConfig(width = width, height = height),
       frames = 2,
       turnDegrees = 35,
-      Engines.byName("model"),
+      RasterEngines.byName("model"),
       EngineOptions(1, None)
     )
   }

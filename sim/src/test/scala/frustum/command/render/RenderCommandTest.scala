@@ -46,7 +46,10 @@ class RenderCommandTest extends AnyFunSuite {
       assert(report("snapping").obj.contains(key), key)
     for (key <- Seq("primitiveWrong", "texelsWrong", "judged", "psnr", "flip"))
       assert(report("endToEnd").obj.contains(key), key)
-    assert(Seq("llvmpipe", "world").contains(report("endToEnd")("referee").str) && report("endToEnd")("judged").num > 2000)
+    assert(Seq(
+      "llvmpipe",
+      "world"
+    ).contains(report("endToEnd")("referee").str) && report("endToEnd")("judged").num > 2000)
     assert(Seq(
       "modelVsReference",
       "hardwareVsModel",
@@ -88,7 +91,7 @@ class RenderCommandTest extends AnyFunSuite {
     val options = DrawOptions(None, cullBack = false, Wrap.Repeat, 0)
     val frame = Driver.prepare(scene, scene.camera, options, small, 0)
     val view = EndToEndJudge.view(scene, scene.camera, options, small)
-    val drawn = new PassEngine(new ReferenceRenderer(_)).render(Seq(frame)).head
+    val drawn = new PassEngine(new ReferenceRenderer(_)).drawAll(Seq(frame)).head
     for (i <- 0 until faults) drawn.image(i) ^= 1
     val timed = RenderedFrame(drawn.image, Some(5000), Some(9000), drawn.busBytes)
     val verdict = new FrameJudge(Some(new ReferenceRenderer(_)), simulated = true).judge(frame, timed, Some(view))
@@ -138,8 +141,8 @@ class RenderCommandTest extends AnyFunSuite {
   }
 
   test("a picture beyond the referee's bound is a failure with exit code 1") {
-    val good  = figures(0)
-    val e     = good.endToEnd.get
+    val good = figures(0)
+    val e = good.endToEnd.get
     val table = Files.createTempFile("budgets", ".json")
     BudgetTable(Seq(Budget(Budget.AnyPicture, "endToEnd.unexplainedPercent", bound = 0.05, today = 0))).write(table)
     def beyond(wrong: Long) = {
@@ -148,11 +151,17 @@ class RenderCommandTest extends AnyFunSuite {
     }
     assert(beyond(0).isEmpty && beyond(30).length == 1)
     val apart = e.copy(counts = e.counts.copy(referee = "llvmpipe", refereesDiffer = e.counts.judged / 10))
-    assert(EndToEndBounds.failures(EndToEndBounds.ofAny(apart), apart, table).head.contains("llvmpipe and float64 differ"))
+    assert(EndToEndBounds.failures(
+      EndToEndBounds.ofAny(apart),
+      apart,
+      table
+    ).head.contains("llvmpipe and float64 differ"))
     val report = java.nio.file.Paths.get("r.json")
-    val err    = new java.io.ByteArrayOutputStream
+    val err = new java.io.ByteArrayOutputStream
     Console.withErr(err)(assert(good.verdict(report, beyond(30)) == 1))
-    assert(err.toString.startsWith("error: cube: end to end: unexplainedPercent is") && err.toString.linesIterator.length == 1)
+    assert(err.toString.startsWith(
+      "error: cube: end to end: unexplainedPercent is"
+    ) && err.toString.linesIterator.length == 1)
   }
 
   test("an infinite PSNR is null") {
