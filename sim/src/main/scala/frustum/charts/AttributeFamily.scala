@@ -2,7 +2,7 @@ package frustum.charts
 
 import frustum.contract.raster.{PlaneFormats, RasterConfig, Wrap}
 import frustum.driver.raster.{DrawOptions, Driver}
-import frustum.engine.raster.Engines
+import frustum.engine.raster.RasterEngines
 import frustum.judge.FrameJudge
 import frustum.raster.scan.Interpolator
 import frustum.scene.Scenes
@@ -14,7 +14,7 @@ object AttributeFamily extends ChartFamily {
 
   private val dropped = 0 to 12 by 2
   private val scenes = Seq("cube", "floor", "terrain")
-  private val judge = new FrameJudge(Engines.model, simulated = false)
+  private val judge = new FrameJudge(RasterEngines.model, simulated = false)
 
   /** Wrong texels of 100 judged ones, from the scene's own camera. */
   def wrongPercent(scene: String, bits: Int): Double = {

@@ -6,6 +6,7 @@ import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
 import frustum.judge.VoxelJudge
 import frustum.model.voxel.wide.VoxelRaySetup
+import frustum.reference.voxel.IdealVoxelPicture
 import frustum.synthesis.UnitCosts
 import scala.util.Random
 
@@ -29,7 +30,7 @@ object DirectionFamily extends ChartFamily {
     val c = VoxelConfig(slopeBits = slopeBits)
     (for (view <- views) yield {
       val camera = view.camera(c)
-      val ideal = VoxelJudge.rays(view, c)
+      val ideal = IdealVoxelPicture.rays(view, c)
       (for (j <- 0 until c.height by 9; i <- 0 until c.width by 9) yield {
         val ray = VoxelRaySetup(camera.eye.axes, camera.direction(i, j), c)
         VoxelJudge.error(ideal, i, j, ray, c)

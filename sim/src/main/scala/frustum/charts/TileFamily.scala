@@ -2,7 +2,7 @@ package frustum.charts
 
 import frustum.contract.raster.{PlaneFormats, RasterConfig, Wrap}
 import frustum.driver.raster.{DrawOptions, Driver, PreparedFrame}
-import frustum.engine.raster.{EngineOptions, Engines}
+import frustum.engine.raster.{EngineOptions, RasterEngines}
 import frustum.judge.FrameJudge
 import frustum.scene.Scenes
 import frustum.synthesis.UnitCosts
@@ -15,7 +15,7 @@ object TileFamily extends ChartFamily {
 
   private val Dropped = 6 // bits that the planes go without, so that the errors show
   private val sizes = Seq((4, 4), (5, 4), (5, 5)) // a screen has at most 32 tiles a side
-  private val judge = new FrameJudge(Engines.model, simulated = false)
+  private val judge = new FrameJudge(RasterEngines.model, simulated = false)
 
   private def frame(scene: String, config: RasterConfig): PreparedFrame = {
     val s = Scenes.byName(scene)
@@ -35,7 +35,7 @@ object TileFamily extends ChartFamily {
   private def clocksPerPixel(scene: String, log2Width: Int, log2Height: Int): Double = {
     val c = config(log2Width, log2Height)
     val prepared = frame(scene, c)
-    val drawn = Engines.byName("pipeline").make(EngineOptions(1, None)).render(Seq(prepared)).head
+    val drawn = RasterEngines.byName("pipeline").make(EngineOptions(1, None)).drawAll(Seq(prepared)).head
     drawn.clocks.get.toDouble / (c.width * c.height)
   }
 

@@ -4,7 +4,7 @@ import frustum.contract.InputError
 import frustum.contract.raster.{Combine, PlaneFormats}
 import frustum.driver.raster.{Driver, PreparedFrame, StateTable, TextureMemory}
 import frustum.driver.scene.Scene
-import frustum.engine.raster.Engines
+import frustum.engine.raster.RasterEngines
 import frustum.judge.{EndToEndJudge, Flip, FrameJudge, LoggedFragment}
 import frustum.referee.WorldView
 import frustum.reference.raster.ReferenceRaster
@@ -29,7 +29,7 @@ final class Fit(
     seed: Long,
     say: String => Unit
 ) {
-  private val judge = new FrameJudge(Engines.model, simulated = false)
+  private val judge = new FrameJudge(RasterEngines.model, simulated = false)
   private val states =
     StateTable(scene, TextureMemory.allocate(scene, features.config), features.options).states
 

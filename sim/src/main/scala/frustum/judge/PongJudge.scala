@@ -2,7 +2,6 @@ package frustum.judge
 
 import frustum.contract.ray.RayMotion
 import frustum.demos.pong.PongPipelineConfig
-import frustum.engine.pong.PongFrame
 import frustum.model.demos.pong.{PongGame, PongModel}
 import frustum.model.ray.RayPicture
 import scala.concurrent.ExecutionContext.Implicits.global
@@ -36,9 +35,10 @@ final class PongJudge(config: PongPipelineConfig) {
     made
   }
 
-  def add(frame: PongFrame): Unit = {
-    pending :+= expect(frame.game).map { e =>
-      PongFigures(1, e.atPins.indices.count(i => e.atPins(i) != frame.atPins(i)), e.counts)
+  /** @param game the state that the frame is to show */
+  def add(game: PongGame, atPins: Array[Int]): Unit = {
+    pending :+= expect(game).map { e =>
+      PongFigures(1, e.atPins.indices.count(i => e.atPins(i) != atPins(i)), e.counts)
     }
     // So that no more than a few pictures are kept.
     while (pending.size > PongJudge.Ahead) take()

@@ -6,7 +6,7 @@ import frustum.model.voxel.march.{Marcher, RayStart}
 import frustum.model.voxel.{VoxelModel, VoxelPixel}
 import frustum.model.voxel.world.LeapWords
 import frustum.referee.{Vec, VoxelRays, WorldBlocks}
-import frustum.reference.voxel.ExactMarch
+import frustum.reference.voxel.{ExactMarch, IdealVoxelPicture}
 
 /** What was found over all rays of a picture, or of several.
   *
@@ -63,7 +63,7 @@ final class VoxelJudge(model: VoxelModel) {
 
   /** All of a picture, the directions' errors with it. */
   def picture(camera: VoxelCamera, view: VoxelView, pixels: IndexedSeq[VoxelPixel]): VoxelCounts = {
-    val ideal = VoxelJudge.rays(view, config)
+    val ideal = IdealVoxelPicture.rays(view, config)
     pixels.indices.foldLeft(VoxelCounts()) { (sum, n) =>
       val error = VoxelJudge.error(ideal, n % config.width, n / config.width, pixels(n).ray, config)
       sum + ray(camera, pixels(n)).copy(maxDirectionErrorPixels = error)
@@ -72,14 +72,6 @@ final class VoxelJudge(model: VoxelModel) {
 }
 
 object VoxelJudge {
-
-  /** The ideal rays of what the user asked for. */
-  def rays(view: VoxelView, c: VoxelConfig): VoxelRays = {
-    val eye = Vec(view.eye)
-    view.asked.fold(VoxelRays.ofAngles(eye, view.yaw, view.pitch, view.focal, c.width, c.height))(along =>
-      VoxelRays.ofDirection(eye, Vec(along), view.focal, c.width, c.height)
-    )
-  }
 
   /** How far the ray of pixel (i, j) lies from the ideal one, in pixels. */
   def error(ideal: VoxelRays, i: Int, j: Int, ray: RayStart, c: VoxelConfig): Double = {

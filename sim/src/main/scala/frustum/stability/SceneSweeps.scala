@@ -4,7 +4,7 @@ import frustum.contract.raster.{Combine, FixedState, RasterConfig, RasterDomains
 import frustum.driver.linear.Vector3
 import frustum.driver.raster.{DrawOptions, Driver, PreparedFrame}
 import frustum.driver.scene.{Camera, Material, MeshVertex, Scene, TextureImage, Triangle}
-import frustum.engine.raster.{EngineOptions, Engines}
+import frustum.engine.raster.{EngineOptions, RasterEngines}
 import frustum.judge.{FrameJudge, FrameVerdict}
 import frustum.picture.Picture
 import frustum.raster.texture.LateDivide
@@ -46,12 +46,12 @@ object SceneSweeps {
     )
 
   private def drawn(frame: PreparedFrame): Array[Int] =
-    Engines.byName("model").make(EngineOptions(1, None)).render(Seq(frame)).head.image
+    RasterEngines.byName("model").make(EngineOptions(1, None)).drawAll(Seq(frame)).head.image
 
   private def judged(frame: PreparedFrame): FrameVerdict =
-    new FrameJudge(Engines.model, simulated = false).judge(
+    new FrameJudge(RasterEngines.model, simulated = false).judge(
       frame,
-      Engines.byName("model").make(EngineOptions(1, None)).render(Seq(frame)).head
+      RasterEngines.byName("model").make(EngineOptions(1, None)).drawAll(Seq(frame)).head
     )
 
   /** Wrong texels in per cent of those judged; one wrong by more than a texel makes them all wrong. */

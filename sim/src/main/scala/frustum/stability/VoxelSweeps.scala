@@ -7,6 +7,7 @@ import frustum.driver.voxel.VoxelView
 import frustum.judge.{VoxelCounts, VoxelJudge}
 import frustum.model.voxel.VoxelModel
 import frustum.model.voxel.wide.VoxelRaySetup
+import frustum.reference.voxel.IdealVoxelPicture
 import frustum.scene.Hills
 
 /** Views of a small world of hills, the model held against exact marching. */
@@ -47,7 +48,7 @@ object VoxelSweeps {
 
   private def directionError(c: VoxelConfig, views: Seq[VoxelView]): Double = views.map { v =>
     val camera = v.camera(c)
-    val ideal = VoxelJudge.rays(v, c)
+    val ideal = IdealVoxelPicture.rays(v, c)
     (for (j <- 0 until c.height by 13; i <- 0 until c.width by 13) yield {
       val ray = VoxelRaySetup(camera.eye.axes, camera.direction(i, j), c)
       VoxelJudge.error(ideal, i, j, ray, c)

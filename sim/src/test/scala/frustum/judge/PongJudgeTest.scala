@@ -2,7 +2,6 @@ package frustum.judge
 
 import frustum.contract.video.VideoMode
 import frustum.demos.pong.{PongPipelineConfig, PongScene}
-import frustum.engine.pong.PongFrame
 import frustum.model.demos.pong.{PongButtons, PongGame, PongModel}
 import org.scalatest.funsuite.AnyFunSuite
 
@@ -13,25 +12,23 @@ class PongJudgeTest extends AnyFunSuite {
   private val model = new PongModel(config)
   private val moved = PongGame.start.tick(PongButtons(up = true))
 
-  private def judge(frames: PongFrame*): PongFigures = {
+  private def judge(frames: (PongGame, Array[Int])*): PongFigures = {
     val judge = new PongJudge(config)
-    frames.foreach(judge.add)
+    frames.foreach { case (game, atPins) => judge.add(game, atPins) }
     judge.figures()
   }
 
   test("the model's own frames are without fault") {
-    val f = judge(Seq(PongGame.start, PongGame.start, moved).zipWithIndex.map { case (g, i) =>
-      PongFrame(i, model.frame(g), g)
-    }: _*)
+    val f = judge(Seq(PongGame.start, PongGame.start, moved).map(g => g -> model.frame(g)): _*)
     assert(f.frames == 3 && f.rays.pixels == 3 * 256 * 96 && f.failures.isEmpty, f)
   }
 
   test("a pixel that differs, and a frame of another tick, are seen") {
     val wrong = model.frame(moved)
     wrong(1234) ^= 1
-    val f = judge(PongFrame(0, model.frame(PongGame.start), PongGame.start), PongFrame(1, wrong, moved))
+    val f = judge(PongGame.start -> model.frame(PongGame.start), moved -> wrong)
     assert(f.pixelsDifferent == 1 && f.failures == Seq("1 pixels differ from the model's"))
-    assert(judge(PongFrame(0, model.frame(PongGame.start), moved)).pixelsDifferent > 0)
+    assert(judge(moved -> model.frame(PongGame.start)).pixelsDifferent > 0)
   }
 
   test("sums, and what must be zero") {

@@ -15,7 +15,7 @@ import frustum.contract.raster.{
 import frustum.driver.linear.Vector3
 import frustum.driver.raster.{DrawOptions, Driver}
 import frustum.driver.scene.{Camera, Material, Scene}
-import frustum.engine.raster.{EngineOptions, Engines, PipelineEngine}
+import frustum.engine.raster.{EngineOptions, RasterEngines, PipelineEngine}
 import frustum.fit.FitFeatures
 import frustum.harness.Simulated
 import frustum.raster.texture.LateDivide
@@ -43,10 +43,10 @@ class FittedPipelineTest extends AnyFunSuite {
       config: RasterConfig,
       depthTest: Boolean = true
   ): Seq[Seq[Int]] =
-    Engines.byName(engine).make(EngineOptions(
+    RasterEngines.byName(engine).make(EngineOptions(
       seed,
       None
-    )).render(prepare(scene, config, depthTest)).map(_.image.toSeq)
+    )).drawAll(prepare(scene, config, depthTest)).map(_.image.toSeq)
 
   private def fixedFor(scene: Scene, depthTest: Boolean): FixedState =
     FixedState.of(prepare(scene, small, depthTest).flatMap(_.passes).flatMap(_.states): _*)
@@ -122,7 +122,7 @@ class FittedPipelineTest extends AnyFunSuite {
       new PipelineEngine(EngineOptions(
         seed,
         None
-      )).render(prepare(scene, c, depthTest = false)).map(_.clocks.get).sum
+      )).drawAll(prepare(scene, c, depthTest = false)).map(_.clocks.get).sum
     val (full, fitted) = (clocks(small), clocks(small.copy(fixed = fixedFor(scene, depthTest = false))))
     info(s"$full clocks with everything, $fitted as fitted")
     assert(fitted < 0.95 * full)

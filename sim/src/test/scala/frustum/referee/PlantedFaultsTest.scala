@@ -3,13 +3,13 @@ package frustum.referee
 import frustum.budgets.{Budget, BudgetTable}
 import frustum.command.render.EndToEndBounds
 import frustum.driver.raster.PreparedFrame
-import frustum.engine.raster.Engines
+import frustum.engine.raster.RasterEngines
 import frustum.judge.{EndToEndJudge, EndToEndVerdict, FrameJudge}
 import org.scalatest.funsuite.AnyFunSuite
 
 /** A fault of the driver that model, reference and hardware would all follow is found by the referee. */
 class PlantedFaultsTest extends AnyFunSuite {
-  private val judge = new FrameJudge(Engines.model, simulated = false)
+  private val judge = new FrameJudge(RasterEngines.model, simulated = false)
   private val bound = BudgetTable.read(EndToEndBounds.Table).rows
     .find(b => b.scene == Budget.AnyPicture && b.metric == "endToEnd.unexplainedPercent").get.bound
 

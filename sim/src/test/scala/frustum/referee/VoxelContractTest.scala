@@ -3,7 +3,6 @@ package frustum.referee
 import frustum.contract.voxel.{VoxelConfig, WorldSize}
 import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
-import frustum.judge.VoxelJudge
 import frustum.reference.voxel.{ExactMarch, IdealVoxelPicture}
 import frustum.scene.{BlockFile, VoxelWorld}
 import org.scalatest.funsuite.AnyFunSuite
@@ -41,7 +40,10 @@ class VoxelContractTest extends AnyFunSuite {
       val look = view.look * 3
       val (y, p) = VoxelView.angles(look)
       val asked = VoxelView(Vector3(1, 2, 3), y, p, focal, Some(look))
-      for (rays <- Seq(VoxelJudge.rays(view, c), VoxelJudge.rays(asked, c)); i <- Seq(0, 13, 31); j <- Seq(0, 7, 23)) {
+      for (
+        rays <- Seq(IdealVoxelPicture.rays(view, c), IdealVoxelPicture.rays(asked, c)); i <- Seq(0, 13, 31);
+        j <- Seq(0, 7, 23)
+      ) {
         val Seq(dx, dy, dz) = camera.direction(i, j).map(_.toDouble)
         assert(rays.error(i, j, Vec(dx, dy, dz)) < 0.02, s"yaw $yaw, pitch $pitch, pixel ($i, $j)")
       }
@@ -91,14 +93,15 @@ class VoxelContractTest extends AnyFunSuite {
       assert(seen.map(_.face) == Seq(face), s"yaw $yaw, pitch $pitch")
       // u to the right and v downwards for one who looks at a side, whose top is the block's.
       if (face < 4) {
-        val r = VoxelJudge.rays(view, c)
+        val r = IdealVoxelPicture.rays(view, c)
         val at = Seq(r.right * 0.3 + r.up * 0.2)
         val Seq(p) = at.map(o => Vec(0.5, 0.5, 0.5) + o)
         val (u, v) = ExactMarch.uv(face, Seq(p.x, p.y, p.z).map(k => (k * 16).toInt.min(15)))
         assert(u >= 11 && u <= 13 && v >= 3 && v <= 5, s"face $face: ($u, $v)")
       }
       val texture = assets.table(1).textures(face)
-      val shown = new IdealVoxelPicture(c, assets, world, VoxelJudge.rays(view, c)).pixel(c.width / 2, c.height / 2)
+      val shown =
+        new IdealVoxelPicture(c, assets, world, IdealVoxelPicture.rays(view, c)).pixel(c.width / 2, c.height / 2)
       val colors = for (v <- 0 until 16; u <- 0 until 16) yield assets.textures(texture, u, v) >> 12 & 15
       assert(
         colors.map(k => (k * 17 * VoxelConfig.Light(face) / 256.0).round).contains((shown >> 16).toLong),

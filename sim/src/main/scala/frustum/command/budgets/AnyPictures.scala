@@ -6,7 +6,7 @@ import frustum.contract.raster.{RasterConfig, Wrap}
 import frustum.driver.linear.Vector3
 import frustum.driver.raster.DrawOptions
 import frustum.driver.scene.Camera
-import frustum.engine.raster.{EngineOptions, Engines}
+import frustum.engine.raster.{EngineOptions, RasterEngines}
 import frustum.scene.Scenes
 
 /** Pictures that ask for other things than the scenes by default: what the driver does for them is judged from the world. */
@@ -23,7 +23,7 @@ object AnyPictures {
       RasterConfig(width = width, height = height),
       frames = 2,
       turnDegrees = 35,
-      Engines.byName("model"),
+      RasterEngines.byName("model"),
       EngineOptions(1, None)
     )
   }

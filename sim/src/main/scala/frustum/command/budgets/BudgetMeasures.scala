@@ -3,10 +3,12 @@ package frustum.command.budgets
 import frustum.budgets.{Budget, Measured}
 import frustum.command.pong.PongScenes
 import frustum.command.render.{EndToEndBounds, RenderReport, SceneRun}
-import frustum.command.voxel.{VoxelDrawn, VoxelOptions, VoxelReport, VoxelRun, VoxelScenes}
+import frustum.command.voxel.{JudgedView, JudgedViews, VoxelOptions, VoxelReport, VoxelScenes}
 import frustum.contract.raster.RasterConfig
 import frustum.contract.video.VideoMode
-import frustum.engine.raster.{EngineOptions, Engines}
+import frustum.contract.voxel.LeapField
+import frustum.engine.raster.{EngineOptions, RasterEngines}
+import frustum.engine.voxel.VoxelEngines
 import frustum.files.InfinityAsNull
 import frustum.judge.{RayCounts, RayJudge, TemporalJudge}
 import frustum.model.demos.pong.PongGame
@@ -42,7 +44,7 @@ object BudgetMeasures {
 
   private def raster(name: String): Seq[Measured] = {
     val run =
-      SceneRun.still(Scenes.byName(name), RasterConfig(), Engines.byName("model"), EngineOptions(1, None))
+      SceneRun.still(Scenes.byName(name), RasterConfig(), RasterEngines.byName("model"), EngineOptions(1, None))
     val figures = run.figures((_, _) => ())
     val report = RenderReport.json("budgets", 1, figures)
     val still = for ((group, metrics) <- rasterMetrics; metric <- metrics)
@@ -63,24 +65,18 @@ object BudgetMeasures {
   private def voxel(): Seq[Measured] = {
     def measured(report: ujson.Obj, metric: String, as: String) =
       Measured("voxel", as, InfinityAsNull.read(report(metric)))
-    val all = hills("octants")
+    val all = hills(LeapField.Octants)
     Seq("blocksWrong", "facesWrong", "texelsWrong", "maxDirectionErrorPixels", "steps", "psnr")
       .map(metric => measured(all, metric, metric)) ++
-      Seq("quadrants", "up-down").map(leaps => measured(hills(leaps), "steps", s"steps.$leaps"))
+      Seq("quadrants" -> LeapField.Quadrants, "up-down" -> LeapField.UpDown)
+        .map { case (name, leaps) => measured(hills(leaps), "steps", s"steps.$name") }
   }
 
-  private def hills(leaps: String): ujson.Obj = {
-    val o = VoxelOptions(size = (160, 120), engine = "model", leaps = Some(leaps))
+  private def hills(leaps: LeapField): ujson.Obj = {
+    val o = VoxelOptions(size = (160, 120), engine = VoxelEngines.byName("model"), leaps = Some(leaps))
     val scene = VoxelScenes(o)
-    var drawn = Seq.empty[VoxelDrawn]
-    new VoxelRun(
-      scene.config,
-      scene.assets,
-      scene.world,
-      o.engine,
-      highlight = false,
-      o.seed
-    ).draw(scene.views)(drawn :+= _)
+    var drawn = Seq.empty[JudgedView]
+    new JudgedViews(scene, o.engine, highlight = false, o.seed).draw(drawn :+= _)
     VoxelReport.json("budgets", o.seed, o.engine, scene.config, drawn)
   }
 

@@ -2,6 +2,7 @@ package frustum.command.common
 
 import frustum.contract.InputError
 import frustum.driver.linear.Vector3
+import frustum.engine.{EngineEntry, EngineTable}
 import scopt.{OEffect, OParser, Read}
 import java.nio.file.{InvalidPathException, Path, Paths}
 
@@ -66,6 +67,9 @@ object Arguments {
     try { if (text.isEmpty) refuse("a file name is empty") else Paths.get(text) }
     catch { case e: InvalidPathException => refuse(s"'$text' is not a file name: ${e.getReason}") }
   }
+
+  /** An engine by name. */
+  def engine[E <: EngineEntry[Nothing, Any]](table: EngineTable[E]): Read[E] = Read.reads(table.byName)
 
   /** One of a few names. */
   def oneOf[A](choices: (String, A)*): Read[A] = Read.reads { text =>

@@ -2,9 +2,10 @@ package frustum.command.demo
 
 import frustum.command.common.{Arguments, CommandLine, ReportTable}
 import frustum.command.render.{EndToEndBounds, RenderReport, SceneFigures, SceneRun}
-import frustum.command.voxel.VoxelRun
 import frustum.contract.raster.RasterConfig
-import frustum.engine.raster.{EngineOptions, Engines}
+import frustum.engine.pong.PongEngines
+import frustum.engine.raster.{EngineOptions, RasterEngineEntry, RasterEngines}
+import frustum.engine.voxel.VoxelEngines
 import frustum.files.OutputFile
 import frustum.picture.Picture
 import frustum.scene.Scenes
@@ -13,7 +14,7 @@ import java.nio.file.{Path, Paths}
 
 /** Arguments of `demo`. */
 final case class DemoOptions(
-    engine: String = Engines.names.head,
+    engine: RasterEngineEntry = RasterEngines.default,
     out: Path = Paths.get("out", "demo"),
     seed: Long = 1
 )
@@ -29,10 +30,8 @@ object DemoCommand extends CommandLine {
     OParser.sequence(
       programName("./sbt demo"),
       head(s"demo: $summary"),
-      opt[String](
-        "engine"
-      )(Arguments.oneOf(Engines.names.map(n => n -> n): _*)).valueName(Engines.names.mkString("|"))
-        .action((v, o) => o.copy(engine = v)).text(s"what draws (default ${Engines.names.head})"),
+      opt[RasterEngineEntry]("engine")(Arguments.engine(RasterEngines)).valueName(RasterEngines.names.mkString("|"))
+        .action((v, o) => o.copy(engine = v)).text(s"what draws (default ${RasterEngines.default.name})"),
       opt[Path]("out")(
         Arguments.file
       ).valueName("DIR").action((v, o) => o.copy(out = v)).text("(default out/demo)"),
@@ -45,11 +44,10 @@ object DemoCommand extends CommandLine {
   def run(args: Seq[String]): Int = Arguments.parse(name, parser, args, DemoOptions()).fold(0)(demo)
 
   private def demo(o: DemoOptions): Int = {
-    val entry = Engines.byName(o.engine)
     val config = RasterConfig()
     val shown = for (sceneName <- Scenes.names) yield {
       val scene = Scenes.byName(sceneName)
-      val run = SceneRun.still(scene, config, entry, EngineOptions(o.seed, None))
+      val run = SceneRun.still(scene, config, o.engine, EngineOptions(o.seed, None))
       val figures = run.figures { (_, v) =>
         DemoPictures.write(o.out, sceneName, config.width, config.height, v.picture, v.reference)
         for (e <- v.endToEnd)
@@ -59,9 +57,9 @@ object DemoCommand extends CommandLine {
       OutputFile.writeText(o.out.resolve(s"$sceneName.json"), ujson.write(report, indent = 2) + "\n")
       (figures, report)
     }
-    // Pong has no other engine.
-    val pong = Option.when(Engines.byName(o.engine).atPins)(PongDemo(o.out, o.seed))
-    val voxel = Option.when(VoxelRun.Engines.contains(o.engine))(VoxelDemo(o.out, o.engine))
+    // Where they have an engine of that name.
+    val pong = PongEngines.find(o.engine.name).map(_ => PongDemo(o.out, o.seed))
+    val voxel = VoxelEngines.find(o.engine.name).map(VoxelDemo(o.out, _))
     val others = pong ++ voxel
     val reports = shown.map(_._2) ++ others.map(_._1)
     OutputFile.writeText(o.out.resolve("index.html"), DemoPage(o.out, reports))

@@ -17,11 +17,11 @@ object PongDemo {
     val config = PongScenes.config(VideoMode.Vga640x480, None)
     import config.mode.{height, width}
     val recording = PongRecording(config, AutoPlayer(_), seed, Frames, out.resolve("pong.gif")) {
-      (frame, picture) =>
-        if (frame.index == Frames - 1) {
+      (index, game, picture) =>
+        if (index == Frames - 1) {
           // The reference too in the format of the pins and under the score: what differs then is what was drawn wrongly.
-          val exact = PongJudge.reference(config, config.motion(frame.game.motion))
-          val reference = Picture.ofFormat(new PongModel(config).atPins(exact(_), frame.game), config.format)
+          val exact = PongJudge.reference(config, config.motion(game.motion))
+          val reference = Picture.ofFormat(new PongModel(config).atPins(exact(_), game), config.format)
           DemoPictures.write(out, "pong", width, height, picture, reference)
         }
     }

@@ -1,14 +1,13 @@
 package frustum.command.demo
 
-import frustum.command.voxel.{VoxelDrawn, VoxelOptions, VoxelReport, VoxelRun, VoxelScenes}
+import frustum.command.voxel.{JudgedView, JudgedViews, VoxelOptions, VoxelReport, VoxelScenes}
 import frustum.driver.linear.Vector3
+import frustum.engine.voxel.VoxelEngineEntry
 import java.nio.file.Path
 
 /** The world of blocks as a scene of `demo`: hills with a lake. */
 object VoxelDemo {
-
-  /** @param engine one of [[VoxelRun.Engines]] */
-  def apply(out: Path, engine: String): (ujson.Obj, Int) = {
+  def apply(out: Path, engine: VoxelEngineEntry): (ujson.Obj, Int) = {
     val o = VoxelOptions(
       engine = engine,
       eye = Some(Vector3(10, 40, 19)),
@@ -19,9 +18,8 @@ object VoxelDemo {
     )
     val scene = VoxelScenes(o)
     import scene.config.{height, width}
-    var drawn = Option.empty[VoxelDrawn]
-    new VoxelRun(scene.config, scene.assets, scene.world, engine, highlight = false, o.seed)
-      .draw(scene.views)(view => drawn = Some(view))
+    var drawn = Option.empty[JudgedView]
+    new JudgedViews(scene, engine, highlight = false, o.seed).draw(view => drawn = Some(view))
     DemoPictures.write(out, "voxel", width, height, drawn.get.picture, drawn.get.reference)
     val report = VoxelReport.json("demo", o.seed, engine, scene.config, drawn.toSeq)
     (report, VoxelReport.write(out.resolve("voxel.json"), report, drawn.toSeq))

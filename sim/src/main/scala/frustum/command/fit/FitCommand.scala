@@ -8,7 +8,7 @@ import frustum.contract.InputError
 import frustum.contract.raster.{PlaneFormats, RasterConfig}
 import frustum.device.Tech
 import frustum.driver.raster.DrawOptions
-import frustum.engine.raster.{EngineOptions, Engines}
+import frustum.engine.raster.{EngineOptions, RasterEngines}
 import frustum.files.{Notices, OutputFile}
 import frustum.fit.{CameraVolume, Fit, FitBudget, FitFeatures, FitResult, Referee}
 import frustum.picture.Picture
@@ -54,7 +54,7 @@ object FitCommand extends CommandLine {
     }
     val different = {
       def images(engine: String) =
-        Engines.byName(engine).make(EngineOptions(o.seed, None)).render(frames).map(_.image)
+        RasterEngines.byName(engine).make(EngineOptions(o.seed, None)).drawAll(frames).map(_.image)
       images("pipeline").zip(images("model")).map { case (a, b) =>
         a.indices.count(i => a(i) != b(i)).toLong
       }.sum
@@ -92,7 +92,7 @@ object FitCommand extends CommandLine {
       )
     )
     val picture = folder.resolve(s"$stemOut-worst.png")
-    val worst = Engines.byName("model").make(EngineOptions(o.seed, None)).render(frames.take(1)).head.image
+    val worst = RasterEngines.byName("model").make(EngineOptions(o.seed, None)).drawAll(frames.take(1)).head.image
     Picture.writePng(picture, base.width, base.height, Picture.ofRgb565(worst))
     OutputFile.writeText(folder.resolve("index.html"), FitReport.page(stem, result, report, picture))
     println(s"wrote $out")

@@ -5,8 +5,7 @@ import frustum.command.pong.{PongOptions, PongScenes}
 import frustum.command.voxel.{VoxelOptions, VoxelScenes}
 import frustum.contract.InputError
 import frustum.contract.video.VideoMode
-import frustum.engine.EngineSim
-import frustum.engine.pong.{PongBoard, PongSession}
+import frustum.engine.pong.{PongBoard, PongEngines, PongSession, PongSetting}
 import frustum.picture.Picture
 import frustum.play.{LiveScreen, PongKeys, VoxelKeys}
 import scopt.OParser
@@ -20,6 +19,7 @@ final case class PlayOptions(
     frames: Option[Int] = None,
     seed: Long = 1,
     voxel: VoxelOptions = VoxelOptions(size = (160, 120)),
+    hardware: Boolean = true,
     fly: Boolean = false
 )
 
@@ -45,8 +45,8 @@ object PlayCommand extends CommandLine {
         .text("voxel's: raw ids of 64x64x32 blocks, or MagicaVoxel .vox (default: hills from --seed)"),
       opt[(Int, Int)]("size")(Arguments.size).valueName("WxH").action((v, o) => o.copy(voxel = o.voxel.copy(size = v)))
         .text("voxel's, pixels (default 160x120)"),
-      opt[String]("engine")(Arguments.oneOf(Seq("hardware", "model").map(n => n -> n): _*)).valueName("hardware|model")
-        .action((v, o) => o.copy(voxel = o.voxel.copy(engine = v))).text("what draws voxel (default hardware)"),
+      opt[Boolean]("engine")(Arguments.oneOf("hardware" -> true, "model" -> false)).valueName("hardware|model")
+        .action((v, o) => o.copy(hardware = v)).text("what draws voxel (default hardware)"),
       opt[Unit]("fly").action((_, o) => o.copy(fly = true)).text("voxel: without gravity"),
       opt[Int]("frames")(Arguments.count).valueName("N").action((v, o) => o.copy(frames = Some(v)))
         .text("ends after so many (default: when the window is closed)"),
@@ -60,7 +60,7 @@ object PlayCommand extends CommandLine {
     o.what match {
       case "pong"  => play(o)
       case "voxel" =>
-        PlayVoxel(VoxelScenes(o.voxel.copy(seed = o.seed)), o.voxel.engine == "hardware", o.fly, o.frames, o.seed)
+        PlayVoxel(VoxelScenes(o.voxel.copy(seed = o.seed)), o.hardware, o.fly, o.frames, o.seed)
       case other => throw InputError(s"argument: there is no '$other' to play; write play pong or play voxel")
     }
   }
@@ -69,29 +69,25 @@ object PlayCommand extends CommandLine {
     val config = PongScenes.config(o.mode, None)
     LiveScreen.require()
     println(PongKeys.help)
-    EngineSim.run(PongSession.compile(config, PongBoard.Icebreaker), None, o.seed) { dut =>
-      val session = new PongSession(dut)
-      val screen = LiveScreen("Frustum: pong", o.mode.width, o.mode.height)
-      try {
-        val keys = new PongKeys
-        val started = System.nanoTime
-        var shown = 0
-        while (screen.isOpen && o.frames.forall(shown < _)) {
-          val picture = Picture.ofFormat(session.frame(), config.format)
-          session.press(keys(screen.keys()))
-          screen.show(picture, s"score ${dut.score}")
-          shown += 1
-        }
-        val rate = shown * 1e9 / (System.nanoTime - started)
-        println(s"$shown frames, ${"%.1f".formatLocal(Locale.ROOT, rate)} a second, score ${dut.score}")
-        if (session.reader.errors == 0) 0
-        else {
-          Console.err.println(
-            s"error: play pong: ${session.reader.errors} sync errors; ./sbt \"pong\" tells which"
-          )
-          1
-        }
-      } finally screen.close()
-    }
+    PongSession.compile(config, PongBoard.Icebreaker) // before the window opens, and not in the rate
+    val screen = LiveScreen("Frustum: pong", o.mode.width, o.mode.height)
+    try {
+      val keys = new PongKeys
+      val started = System.nanoTime
+      var (shown, score, syncErrors) = (0, 0, 0L)
+      val pressed = Iterator.continually(()).takeWhile(_ => screen.isOpen && o.frames.forall(shown < _))
+        .map(_ => keys(screen.keys()))
+      PongEngines.default.make(PongSetting(config, PongBoard.Icebreaker, o.seed)).draw(pressed) { frame =>
+        score = frame.measures.score
+        syncErrors = frame.measures.syncErrors
+        screen.show(Picture.ofFormat(frame.atPins, config.format), s"score $score")
+        shown += 1
+      }
+      val rate = shown * 1e9 / (System.nanoTime - started)
+      println(s"$shown frames, ${"%.1f".formatLocal(Locale.ROOT, rate)} a second, score $score")
+      if (syncErrors > 0)
+        Console.err.println(s"error: play pong: $syncErrors sync errors; ./sbt \"pong\" tells which")
+      if (syncErrors > 0) 1 else 0
+    } finally screen.close()
   }
 }

@@ -28,8 +28,8 @@ object PongCommand extends CommandLine {
     OutputFile.check(o.reportFile)
     println(s"pong: ${o.board.top}, ${o.mode.name}, ${o.frames} frames")
     val recording = PongRecording(config, player, o.seed, o.frames, o.out.resolve("pong.gif"), o.board, o.every) {
-      (frame, picture) =>
-        Picture.writePng(o.out.resolve(f"frame-${frame.index}%04d.png"), o.mode.width, o.mode.height, picture)
+      (index, _, picture) =>
+        Picture.writePng(o.out.resolve(f"frame-$index%04d.png"), o.mode.width, o.mode.height, picture)
     }
     val report = PongReport.json(name, o.seed, config, recording)
     println(PongTable(report))

@@ -2,10 +2,11 @@ package frustum.command.pong
 
 import frustum.command.common.Progress
 import frustum.demos.pong.PongPipelineConfig
-import frustum.engine.pong.{PongBoard, PongFrame, PongMeasures, PongRun}
+import frustum.engine.pong.{PongBoard, PongEngines, PongMeasures, PongSetting}
 import frustum.judge.{PongFigures, PongJudge}
 import frustum.model.demos.pong.{PongButtons, PongGame}
 import frustum.picture.{AnimatedGif, Picture}
+import frustum.play.PlayedGame
 import java.nio.file.Path
 
 /** A game on the simulated board: what was measured on it, and what the judge found. */
@@ -19,7 +20,7 @@ object PongRecording {
   /** Plays, judges frames and writes one a tick to `gif`.
     *
     * @param every one frame of so many is judged, filmed and given to `each`
-    * @param each takes a frame and its picture as 0xRRGGBB
+    * @param each takes a frame's number, the state that it shows, and its picture as 0xRRGGBB
     */
   def apply(
       config: PongPipelineConfig,
@@ -29,24 +30,27 @@ object PongRecording {
       gif: Path,
       board: PongBoard = PongBoard.all.head,
       every: Int = 1
-  )(each: (PongFrame, Array[Int]) => Unit): PongRecording = {
+  )(each: (Int, PongGame, Array[Int]) => Unit): PongRecording = {
     val judge = new PongJudge(config)
     val times = delays
     val started = System.nanoTime
     val progress = Progress("pong", frames)
-    val measures =
-      try AnimatedGif.write(gif, config.mode.width, config.mode.height) { film =>
-          new PongRun(config, player, seed, board).play(frames) { frame =>
-            if (frame.index % every == 0) {
-              val picture = Picture.ofFormat(frame.atPins, config.format)
-              each(frame, picture)
-              if (every > 1 || frame.index % 2 == 0) film.add(picture, times.next())
-              judge.add(frame)
-            }
-            progress.step()
+    val (shown, played) = PlayedGame.frames(player).take(frames).duplicate
+    var measures = Option.empty[PongMeasures]
+    try AnimatedGif.write(gif, config.mode.width, config.mode.height) { film =>
+        PongEngines.default.make(PongSetting(config, board, seed)).draw(played.map(_._2)) { frame =>
+          val (index, game) = (frame.index, shown.next()._1)
+          if (index % every == 0) {
+            val picture = Picture.ofFormat(frame.atPins, config.format)
+            each(index, game, picture)
+            if (every > 1 || index % 2 == 0) film.add(picture, times.next())
+            judge.add(game, frame.atPins)
           }
+          measures = Some(frame.measures)
+          progress.step()
         }
-      finally progress.close()
-    PongRecording(measures, judge.figures(), (frames + every - 1) / every, (System.nanoTime - started) / 1e9)
+      }
+    finally progress.close()
+    PongRecording(measures.get, judge.figures(), (frames + every - 1) / every, (System.nanoTime - started) / 1e9)
   }
 }

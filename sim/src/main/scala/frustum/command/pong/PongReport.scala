@@ -2,6 +2,7 @@ package frustum.command.pong
 
 import frustum.BuildInfo
 import frustum.demos.pong.PongPipelineConfig
+import frustum.engine.pong.PongEngines
 import frustum.files.{InfinityAsNull, OutputFile}
 import java.nio.file.Path
 
@@ -13,7 +14,7 @@ object PongReport {
       "command" -> command,
       "version" -> BuildInfo.version,
       "seed" -> seed.toDouble,
-      "engine" -> "hardware",
+      "engine" -> PongEngines.default.name,
       "scene" -> "pong",
       "mode" -> c.mode.name,
       "width" -> c.mode.width,

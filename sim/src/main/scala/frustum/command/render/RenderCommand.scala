@@ -6,7 +6,7 @@ import frustum.contract.raster.RasterConfig
 import frustum.contract.video.Panel
 import frustum.driver.raster.DrawOptions
 import frustum.driver.scene.{Camera, Material, Scene}
-import frustum.engine.raster.{EngineOptions, Engines}
+import frustum.engine.raster.EngineOptions
 import frustum.files.{Notices, OutputFile}
 import frustum.picture.Picture
 import frustum.scene.{Framing, MaterialPictures, ObjScene, Scenes}
@@ -21,10 +21,10 @@ object RenderCommand extends CommandLine {
     Arguments.parse(name, RenderOptions.parser, args, RenderOptions()).fold(0)(render)
 
   private def render(o: RenderOptions): Int = {
-    val entry = Engines.byName(o.engine)
-    if (o.wave.isDefined && !entry.simulated)
+    val entry = o.engine
+    if (o.wave.isDefined && !entry.kind.simulated)
       throw InputError(s"--wave: the engine ${entry.name} has no signals; use --engine hardware or pipeline")
-    if (o.panel.isDefined && !entry.atPins)
+    if (o.panel.isDefined && !entry.kind.atPins)
       throw InputError(s"--panel: the engine ${entry.name} has no display; use --engine hardware")
     val config = configOf(o.size._1, o.size._2)
     val aspect = config.width.toDouble / config.height

@@ -5,7 +5,7 @@ import frustum.contract.raster.Wrap
 import frustum.contract.video.Panel
 import frustum.driver.linear.Vector3
 import frustum.driver.scene.TextureImage
-import frustum.engine.raster.Engines
+import frustum.engine.raster.{RasterEngineEntry, RasterEngines}
 import frustum.scene.Scenes
 import scopt.OParser
 import java.nio.file.Path
@@ -32,7 +32,7 @@ final case class RenderOptions(
     filter: String = "nearest",
     wrap: Wrap = Wrap.Repeat,
     background: Int = 0,
-    engine: String = Engines.names.head,
+    engine: RasterEngineEntry = RasterEngines.default,
     panel: Option[Panel] = None,
     frames: Int = 1,
     turn: Option[Double] = None,
@@ -120,12 +120,12 @@ object RenderOptions {
   )
 
   private val runOptions = OParser.sequence(
-    option[String](
+    option[RasterEngineEntry](
       "engine",
-      Engines.names.mkString("|"),
+      RasterEngines.names.mkString("|"),
       "what draws: the top at its pins, the stream core, the bit-exact model, float64\n" +
-        s"(default ${Engines.names.head})"
-    )((v, o) => o.copy(engine = v))(oneOf(Engines.names.map(n => n -> n): _*)),
+        s"(default ${RasterEngines.default.name})"
+    )((v, o) => o.copy(engine = v))(Arguments.engine(RasterEngines)),
     option[Panel](
       "panel",
       Panel.all.map(_.name).mkString("|"),

@@ -4,7 +4,8 @@ import frustum.command.common.Progress
 import frustum.contract.raster.{RasterConfig, Wrap}
 import frustum.driver.raster.{DrawOptions, Driver, EmptyView, PreparedFrame}
 import frustum.driver.scene.{Camera, Scene}
-import frustum.engine.raster.{EngineEntry, EngineOptions, Engines}
+import frustum.engine.EngineKind
+import frustum.engine.raster.{EngineOptions, RasterEngineEntry, RasterEngines}
 import frustum.driver.scene.Notice
 import frustum.files.Notices
 import frustum.judge.{EndToEndJudge, FrameJudge, FrameVerdict}
@@ -20,7 +21,7 @@ final case class SceneRun(
     config: RasterConfig,
     frames: Int,
     turnDegrees: Double,
-    entry: EngineEntry,
+    entry: RasterEngineEntry,
     engineOptions: EngineOptions
 ) {
 
@@ -36,13 +37,13 @@ final case class SceneRun(
     println(
       s"${scene.name}: ${prepared.head.trianglesDrawn} triangles, " +
         s"${config.width} x ${config.height}, engine ${entry.name}" +
-        (if (entry.atPins) s", display ${engineOptions.panel.name}" else "")
+        (if (entry.kind.atPins) s", display ${engineOptions.panel.name}" else "")
     )
     val started = System.nanoTime
-    val rendered = entry.make(engineOptions).render(prepared)
+    val rendered = entry.make(engineOptions).drawAll(prepared)
     val seconds = (System.nanoTime - started) / 1e9
-    val model = if (entry.name == "reference") None else Engines.model
-    val judge = new FrameJudge(model, entry.simulated)
+    val model = if (entry.kind == EngineKind.Reference) None else RasterEngines.model
+    val judge = new FrameJudge(model, entry.kind.simulated)
     val progress = Progress(scene.name, frames)
     val verdicts =
       try prepared.zip(rendered).zipWithIndex.map { case ((frame, drawn), i) =>
@@ -69,7 +70,7 @@ final case class SceneRun(
 object SceneRun {
 
   /** One frame from the scene's own camera, as it is without arguments. */
-  def still(scene: Scene, config: RasterConfig, entry: EngineEntry, engineOptions: EngineOptions): SceneRun =
+  def still(scene: Scene, config: RasterConfig, entry: RasterEngineEntry, engineOptions: EngineOptions): SceneRun =
     SceneRun(
       scene,
       scene.camera,

@@ -19,13 +19,14 @@ object VoxelCommand extends CommandLine {
   private def voxel(o: VoxelOptions): Int = {
     val scene = VoxelScenes(o)
     import scene.{config, views}
+    val judged = new JudgedViews(scene, o.engine, o.highlight, o.seed)
     OutputFile.check((fileOf(o, 0) +: o.reportFile +: o.serial.toSeq): _*)
     println(
-      s"voxel: ${views.length} view(s) of a world of ${config.size}, ${config.width}x${config.height}, ${o.engine}"
+      s"voxel: ${views.length} view(s) of a world of ${config.size}, ${config.width}x${config.height}, ${o.engine.name}"
     )
-    val drawn = mutable.ArrayBuffer.empty[VoxelDrawn]
+    val drawn = mutable.ArrayBuffer.empty[JudgedView]
     val progress = Progress("voxel", views.length)
-    try new VoxelRun(config, scene.assets, scene.world, o.engine, o.highlight, o.seed).draw(views) { view =>
+    try judged.draw { view =>
         val file = fileOf(o, drawn.length)
         Picture.writePng(file, config.width, config.height, view.picture)
         drawn += view

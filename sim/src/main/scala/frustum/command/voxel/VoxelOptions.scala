@@ -3,6 +3,7 @@ package frustum.command.voxel
 import frustum.command.common.Arguments
 import frustum.contract.voxel.{LeapField, VoxelConfig}
 import frustum.driver.linear.Vector3
+import frustum.engine.voxel.{VoxelEngineEntry, VoxelEngines}
 import scopt.{OParser, Read}
 import java.nio.file.{Path, Paths}
 
@@ -18,9 +19,9 @@ final case class VoxelOptions(
     size: (Int, Int) = (320, 240),
     focal: Option[Double] = None,
     distance: Int = 24,
-    leaps: Option[String] = None,
+    leaps: Option[LeapField] = None,
     highlight: Boolean = false,
-    engine: String = VoxelRun.Engines.head,
+    engine: VoxelEngineEntry = VoxelEngines.default,
     path: Option[Path] = None,
     serial: Option[Path] = None,
     out: Path = Paths.get("out", "voxel", "voxel.png"),
@@ -28,8 +29,8 @@ final case class VoxelOptions(
     seed: Long = 1
 ) {
 
-  /** The name of the leaps: as asked for, or the engine's. */
-  def leapsName: String = leaps.getOrElse(if (engine == "small") "up-down" else VoxelOptions.leaps.head._1)
+  /** As asked for, or the engine's. */
+  def leapField: LeapField = leaps.getOrElse(engine.leaps)
   def reportFile: Path = report.getOrElse(out.resolveSibling("voxel.json"))
 }
 
@@ -116,19 +117,19 @@ object VoxelOptions {
       option[Int]("distance", "BLOCKS", "view distance (default 24)", distance)((o, v) =>
         o.copy(distance = v)
       ),
-      option[String](
+      option[LeapField](
         "leaps",
         leaps.map(_._1).mkString("|"),
-        s"over air (default ${leaps.head._1}, with --engine small up-down)",
-        Arguments.oneOf(leaps.map(l => l._1 -> l._1): _*)
+        s"over air (default ${leaps.head._1}, with --engine compact up-down)",
+        Arguments.oneOf(leaps: _*)
       )((o, v) => o.copy(leaps = Some(v))),
       opt[Unit]("highlight").action((_, o) => o.copy(highlight = true))
         .text(s"the face in the middle of the picture, if within ${VoxelConfig.Reach} blocks"),
-      option[String](
+      option[VoxelEngineEntry](
         "engine",
-        VoxelRun.Engines.mkString("|"),
-        s"what draws; small is icebreaker-voxel's pipeline (default ${VoxelRun.Engines.head})",
-        Arguments.oneOf(VoxelRun.Engines.map(n => n -> n): _*)
+        VoxelEngines.names.mkString("|"),
+        s"what draws; compact, formerly small, is icebreaker-voxel's pipeline (default ${VoxelEngines.default.name})",
+        Arguments.engine(VoxelEngines)
       )((o, v) => o.copy(engine = v)),
       option[Path](
         "path",
@@ -139,7 +140,7 @@ object VoxelOptions {
       option[Path](
         "serial",
         "FILE",
-        "the world and the last view as a host sends them to arty-voxel, with --engine small to icebreaker-voxel (default: none)",
+        "the world and the last view as a host sends them to arty-voxel, with --engine compact to icebreaker-voxel (default: none)",
         Arguments.file
       )((o, v) => o.copy(serial = Some(v))),
       option[Path](

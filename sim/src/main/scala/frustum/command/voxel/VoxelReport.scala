@@ -3,40 +3,44 @@ package frustum.command.voxel
 import frustum.BuildInfo
 import frustum.command.common.Clock
 import frustum.contract.voxel.VoxelConfig
+import frustum.engine.voxel.VoxelEngineEntry
 import frustum.files.{InfinityAsNull, OutputFile}
 import frustum.judge.{Psnr, VoxelCounts}
 import java.nio.file.Path
 
 /** The JSON report of `voxel`, and of the world of blocks in `demo`: sums over the views, times per view. */
 object VoxelReport {
-
-  /** Whose clock the figures per second are reckoned with. */
-  private def top(engine: String) = if (engine == "small") "icebreaker-voxel" else "arty-voxel"
-
-  def json(command: String, seed: Long, engine: String, c: VoxelConfig, drawn: Seq[VoxelDrawn]): ujson.Obj = {
+  def json(
+      command: String,
+      seed: Long,
+      engine: VoxelEngineEntry,
+      c: VoxelConfig,
+      views: Seq[JudgedView]
+  ): ujson.Obj = {
+    val drawn = views.map(_.drawn)
     val report = ujson.Obj(
       "command" -> command,
       "version" -> BuildInfo.version,
       "seed" -> seed.toDouble,
-      "engine" -> engine,
+      "engine" -> engine.name,
       "scene" -> "voxel",
       "width" -> c.width,
       "height" -> c.height,
       "frames" -> drawn.length
     )
-    sum(drawn).foreach { n =>
+    sum(views).foreach { n =>
       report("rays") = n.rays.toDouble
       report("steps") = n.steps.toDouble
       report("stepsPerRay") = n.steps.toDouble / n.rays
       report("plainSteps") = n.plainSteps.toDouble
-      if (drawn.forall(_.clocks.isDefined)) {
-        val clock = Clock.ofTop(top(engine))
-        val clocks = drawn.flatMap(_.clocks).sum.toDouble
+      if (drawn.forall(_.cycles.isDefined)) {
+        val clock = Clock.ofTop(engine.top)
+        val clocks = drawn.flatMap(_.cycles).sum.toDouble
         report("clocksPerFrame") = clocks / drawn.length
         report("clocksPerStep") = clocks / n.steps
         report("framesPerSecond") = clock.mhz * 1e6 * drawn.length / clocks
-        if (drawn.forall(_.clocksAtPins.isDefined)) {
-          val atPins = drawn.flatMap(_.clocksAtPins).sum.toDouble
+        if (drawn.forall(_.cyclesAtPins.isDefined)) {
+          val atPins = drawn.flatMap(_.cyclesAtPins).sum.toDouble
           report("clocksPerFrameAtPins") = atPins / drawn.length
           report("framesPerSecondAtPins") = clock.mhz * 1e6 * drawn.length / atPins
           report("raysPerSecond") = clock.mhz * 1e6 * n.rays / clocks
@@ -51,20 +55,20 @@ object VoxelReport {
       report("maxDirectionErrorPixels") = n.maxDirectionErrorPixels
     }
     report("psnr") =
-      InfinityAsNull.write(Psnr.of(drawn.map(_.squaredError).sum, c.pixels.toLong * drawn.length))
-    if (drawn.forall(_.pixelsDifferent.isDefined))
+      InfinityAsNull.write(Psnr.of(views.map(_.squaredError).sum, c.pixels.toLong * drawn.length))
+    if (views.forall(_.pixelsDifferent.isDefined))
       report("hardwareVsModel") =
-        ujson.Obj("pixelsDifferent" -> drawn.flatMap(_.pixelsDifferent).sum.toDouble)
+        ujson.Obj("pixelsDifferent" -> views.flatMap(_.pixelsDifferent).sum.toDouble)
     report
   }
 
-  private def sum(drawn: Seq[VoxelDrawn]): Option[VoxelCounts] = drawn.flatMap(_.counts).reduceOption(_ + _)
+  private def sum(views: Seq[JudgedView]): Option[VoxelCounts] = views.flatMap(_.counts).reduceOption(_ + _)
 
   /** Writes the report and says what must be zero and is not; gives the exit code. */
-  def write(file: Path, report: ujson.Obj, drawn: Seq[VoxelDrawn]): Int = {
+  def write(file: Path, report: ujson.Obj, views: Seq[JudgedView]): Int = {
     OutputFile.writeText(file, ujson.write(report, indent = 2) + "\n")
-    val different = drawn.flatMap(_.pixelsDifferent).sum
-    val failures = sum(drawn).toSeq.flatMap(_.failures) ++
+    val different = views.flatMap(_.pixelsDifferent).sum
+    val failures = sum(views).toSeq.flatMap(_.failures) ++
       Option.when(different > 0)(s"$different pixels of the hardware are not the model's")
     failures.foreach(f => Console.err.println(s"error: voxel: $f; see $file"))
     if (failures.isEmpty) 0 else 1

@@ -7,7 +7,6 @@ import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
 import frustum.files.InputFile
 import frustum.scene.{BlockFile, Hills, VoxFile, VoxelWorld}
-import frustum.voxel.CompactVoxelPipeline
 
 /** What the arguments of `voxel` ask for. */
 final case class VoxelScene(
@@ -37,15 +36,13 @@ object VoxelScenes {
           size,
           o.size._1,
           o.size._2,
-          VoxelOptions.leaps.toMap.apply(o.leapsName),
+          o.leapField,
           o.distance
         )
       catch {
         case e: IllegalArgumentException =>
           throw InputError(s"--size: ${e.getMessage.stripPrefix("requirement failed: ")}")
       }
-    if (o.engine == "small")
-      CompactVoxelPipeline.fault(config).foreach(fault => throw InputError(s"--engine small: $fault"))
     def together(one: String, others: (String, Option[_])*): Unit =
       others.collectFirst { case (other, Some(_)) =>
         throw InputError(s"$one: tells what $other does; give one of them")

@@ -3,7 +3,7 @@ package frustum.engine.raster
 import frustum.contract.raster.RasterConfig
 import frustum.contract.video.Panel
 import frustum.driver.raster.{Driver, PreparedFrame}
-import frustum.engine.EngineSim
+import frustum.engine.{Engine, EngineSim}
 import spinal.core.sim.SimCompiled
 import java.nio.file.Path
 
@@ -11,27 +11,27 @@ import java.nio.file.Path
   * with a memory of its own takes what comes, and the picture is read from that memory. A frame is sent when the one
   * before is complete. What the display would not put up with is an error.
   */
-final class PinsEngine(options: EngineOptions) extends Engine {
+final class PinsEngine(options: EngineOptions) extends Engine[PreparedFrame, RenderedFrame] {
   import options.panel
 
-  def render(frames: Seq[PreparedFrame]): Seq[RenderedFrame] = if (frames.isEmpty) Nil
-  else {
+  def draw(works: Iterator[PreparedFrame])(each: RenderedFrame => Unit): Unit = if (works.hasNext) {
+    val frames = works.buffered
     val config = frames.head.config
     EngineSim.run(PinsEngine.compile(config, panel, options.wave), options.wave, options.seed) { dut =>
       val session = new PinsSession(dut)
       session.run(PinsEngine.DisplayStartClocks)
       session.send(frames.head.textures.flatMap(Driver.commands).flatten, wait = true)
-      frames.map { frame =>
+      frames.foreach { frame =>
         val bytes = frame.passes.flatMap(Driver.commands).flatten
         val clocks = session.frame(bytes, config.width * config.height)
         session.controller.violations.headOption.foreach(v =>
           throw new IllegalStateException(s"the ${panel.name} would not put up with this: $v")
         )
-        RenderedFrame(
+        each(RenderedFrame(
           session.controller.picture(config.width, config.height),
           clocksAtPins = Some(clocks),
           busBytes = Some(bytes.length.toLong)
-        )
+        ))
       }
     }
   }
@@ -47,16 +47,17 @@ object PinsEngine {
 }
 
 /** The board's top at its pins, and its Stream core for the figures that the display's pace hides. Both must draw the
-  * same picture.
+  * same picture. Takes all works before the first frame, since each of the two simulations draws them.
   */
-final class HardwareEngine(options: EngineOptions) extends Engine {
-  def render(frames: Seq[PreparedFrame]): Seq[RenderedFrame] = {
-    val pins = new PinsEngine(options).render(frames)
-    val core = new PipelineEngine(options.copy(wave = None)).render(frames)
-    pins.zip(core).zipWithIndex.map { case ((p, c), i) =>
+final class HardwareEngine(options: EngineOptions) extends Engine[PreparedFrame, RenderedFrame] {
+  def draw(works: Iterator[PreparedFrame])(each: RenderedFrame => Unit): Unit = {
+    val frames = works.toSeq
+    val pins = new PinsEngine(options).drawAll(frames)
+    val core = new PipelineEngine(options.copy(wave = None)).drawAll(frames)
+    pins.zip(core).zipWithIndex.foreach { case ((p, c), i) =>
       if (!p.image.sameElements(c.image))
         throw new IllegalStateException(s"frame $i differs between pins and Stream core")
-      c.copy(image = p.image, clocksAtPins = p.clocksAtPins)
+      each(c.copy(image = p.image, clocksAtPins = p.clocksAtPins))
     }
   }
 }

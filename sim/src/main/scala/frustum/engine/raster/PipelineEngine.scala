@@ -2,19 +2,20 @@ package frustum.engine.raster
 
 import frustum.contract.raster.RasterConfig
 import frustum.driver.raster.{Driver, PreparedFrame}
-import frustum.engine.EngineSim
+import frustum.engine.{Engine, EngineSim}
 import spinal.core.sim.SimCompiled
 import java.nio.file.Path
 
 /** The Stream core in simulation: command bytes are fed as fast as they are taken, pixels taken as they come. While a
-  * frame is drawn the next one's bytes arrive.
+  * frame is drawn the next one's bytes arrive: all works are taken before the first frame.
   *
   * @param byteStall,pixelStall see [[PipelineSession]]
   */
-final class PipelineEngine(options: EngineOptions, byteStall: Double = 0, pixelStall: Double = 0) extends Engine {
+final class PipelineEngine(options: EngineOptions, byteStall: Double = 0, pixelStall: Double = 0)
+    extends Engine[PreparedFrame, RenderedFrame] {
 
-  def render(frames: Seq[PreparedFrame]): Seq[RenderedFrame] = if (frames.isEmpty) Nil
-  else {
+  def draw(works: Iterator[PreparedFrame])(each: RenderedFrame => Unit): Unit = if (works.hasNext) {
+    val frames = works.toSeq
     val config = frames.head.config
     EngineSim.run(PipelineEngine.compile(config, options.wave), options.wave, options.seed) { dut =>
       val session = new PipelineSession(dut, options.seed, byteStall, pixelStall)
@@ -32,7 +33,7 @@ final class PipelineEngine(options: EngineOptions, byteStall: Double = 0, pixelS
         )
       }
       if (session.faulty) throw new IllegalStateException(s"the link refused what the driver sent: ${session.status}")
-      drawn
+      drawn.foreach(each)
     }
   }
 }

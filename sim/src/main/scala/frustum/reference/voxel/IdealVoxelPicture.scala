@@ -1,7 +1,8 @@
 package frustum.reference.voxel
 
 import frustum.contract.voxel.{VoxelAssets, VoxelConfig}
-import frustum.referee.{VoxelRays, WorldBlocks}
+import frustum.driver.voxel.VoxelView
+import frustum.referee.{Vec, VoxelRays, WorldBlocks}
 import frustum.scene.VoxelWorld
 import scala.math.floor
 
@@ -54,5 +55,18 @@ final class IdealVoxelPicture(c: VoxelConfig, assets: VoxelAssets, blocks: Voxel
       }
     }
     (0 to 2).map(k => (color(k) + clear * sky(k)).round.toInt.max(0).min(255)).foldLeft(0)(_ << 8 | _)
+  }
+}
+
+object IdealVoxelPicture {
+  def apply(c: VoxelConfig, assets: VoxelAssets, world: VoxelWorld, view: VoxelView): IdealVoxelPicture =
+    new IdealVoxelPicture(c, assets, world, rays(view, c))
+
+  /** The ideal rays of what the user asked for. */
+  def rays(view: VoxelView, c: VoxelConfig): VoxelRays = {
+    val eye = Vec(view.eye)
+    view.asked.fold(VoxelRays.ofAngles(eye, view.yaw, view.pitch, view.focal, c.width, c.height))(along =>
+      VoxelRays.ofDirection(eye, Vec(along), view.focal, c.width, c.height)
+    )
   }
 }

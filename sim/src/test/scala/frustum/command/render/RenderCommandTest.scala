@@ -91,7 +91,7 @@ class RenderCommandTest extends AnyFunSuite {
     val options = DrawOptions(None, cullBack = false, Wrap.Repeat, 0)
     val frame = Driver.prepare(scene, scene.camera, options, small, 0)
     val view = EndToEndJudge.view(scene, scene.camera, options, small)
-    val drawn = new PassEngine(new ReferenceRenderer(_)).render(Seq(frame)).head
+    val drawn = new PassEngine(new ReferenceRenderer(_)).drawAll(Seq(frame)).head
     for (i <- 0 until faults) drawn.image(i) ^= 1
     val timed = RenderedFrame(drawn.image, Some(5000), Some(9000), drawn.busBytes)
     val verdict = new FrameJudge(Some(new ReferenceRenderer(_)), simulated = true).judge(frame, timed, Some(view))

@@ -129,7 +129,7 @@ class VoxelCommandTest extends AnyFunSuite {
   }
 
   // The iCE40's pipeline draws a ray after the other.
-  for ((engine, size, clocks) <- Seq(("hardware", "64x48", 1.2), ("pipeline", "33x25", 1.2), ("small", "40x32", 3.0)))
+  for ((engine, size, clocks) <- Seq(("hardware", "64x48", 1.2), ("pipeline", "33x25", 1.2), ("compact", "40x32", 3.0)))
     test(s"$engine: the model's picture, at most $clocks clocks a step", Simulated) {
       val out = Files.createTempDirectory("voxel-hardware")
       val run = CommandRunner.run(

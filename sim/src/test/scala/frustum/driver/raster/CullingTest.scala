@@ -3,7 +3,7 @@ package frustum.driver.raster
 import frustum.contract.raster.RasterConfig
 import frustum.driver.linear.Vector3
 import frustum.driver.scene.{Scene, Triangle}
-import frustum.engine.raster.{EngineOptions, Engines}
+import frustum.engine.raster.{EngineOptions, RasterEngines}
 import frustum.scene.Scenes
 import org.scalatest.funsuite.AnyFunSuite
 
@@ -37,7 +37,7 @@ class CullingTest extends AnyFunSuite {
   }
 
   private def picture(frame: PreparedFrame) =
-    Engines.byName("model").make(EngineOptions(1, None)).render(Seq(frame)).head.image
+    RasterEngines.byName("model").make(EngineOptions(1, None)).drawAll(Seq(frame)).head.image
 
   test("the front faces are kept and the back faces are dropped") {
     for (s <- solids) {

@@ -64,8 +64,8 @@ class PassSplitterTest extends AnyFunSuite {
   test("of a mesh denser than the pixels only the triangles that cover one are sent, and the picture is the same") {
     // 2 x 120 x 120 triangles over 48 x 48 pixels: 6.25 squares a pixel
     val mesh = prepare(scene(dense(120, 48)))
-    val image = new PassEngine(new ReferenceRenderer(_)).render(Seq(mesh)).head.image
-    val plain = new PassEngine(new ReferenceRenderer(_)).render(Seq(prepare(scene(dense(1, 48))))).head.image
+    val image = new PassEngine(new ReferenceRenderer(_)).drawAll(Seq(mesh)).head.image
+    val plain = new PassEngine(new ReferenceRenderer(_)).drawAll(Seq(prepare(scene(dense(1, 48))))).head.image
     assert(mesh.passes.flatMap(p => tiles(p.region)).sorted == tiles(TileRegion.whole(config)).sorted)
     assert(mesh.passes.forall(p =>
       p.vertices.length <= config.maxVertices && p.triangles.length <= config.maxTriangles

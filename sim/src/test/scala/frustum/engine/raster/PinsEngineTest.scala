@@ -93,7 +93,7 @@ class PinsEngineTest extends AnyFunSuite with Simulated {
     val config = RasterConfig(width = 320, height = 240)
     PinsEngine.compile(config, Panel.St7789) // not to be counted
     val frames = Frames.scene("cube", config)
-    val (seconds, drawn) = ThreadTime.of(new PinsEngine(EngineOptions(1, None, Panel.St7789)).render(frames).head)
+    val (seconds, drawn) = ThreadTime.of(new PinsEngine(EngineOptions(1, None, Panel.St7789)).drawAll(frames).head)
     info(f"$seconds%.1f s, ${drawn.clocksAtPins.get} clocks")
     Frames.assertEqual(config, drawn.image, Frames.model(frames.head), "cube")
     assert(seconds < 10)

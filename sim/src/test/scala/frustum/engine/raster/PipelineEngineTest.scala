@@ -60,7 +60,7 @@ class PipelineEngineTest extends AnyFunSuite with Simulated {
   test("several passes, where a frame exceeds the store, equal one picture") {
     val frames = Frames.scene("terrain", smallest, frames = 2)
     assert(frames.forall(_.passes.length > 1), "the store is too large for this test")
-    new PipelineEngine(EngineOptions(3, None), byteStall = 0.2, pixelStall = 0.3).render(frames).zip(frames).foreach {
+    new PipelineEngine(EngineOptions(3, None), byteStall = 0.2, pixelStall = 0.3).drawAll(frames).zip(frames).foreach {
       case (drawn, frame) => Frames.assertEqual(smallest, drawn.image, Frames.model(frame), "seed 3")
     }
   }
@@ -129,7 +129,7 @@ class PipelineEngineTest extends AnyFunSuite with Simulated {
   test("320 x 240: a scene of hundreds of triangles") {
     val config = RasterConfig(width = 320, height = 240)
     val frame = Frames.scene("terrain", config)
-    val drawn = new PipelineEngine(EngineOptions(1, None)).render(frame).head
+    val drawn = new PipelineEngine(EngineOptions(1, None)).drawAll(frame).head
     Frames.assertEqual(config, drawn.image, Frames.model(frame.head), "terrain")
     info(s"${drawn.clocks.get} clocks")
   }

@@ -7,6 +7,7 @@ import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
 import frustum.judge.{VoxelCounts, VoxelJudge}
 import frustum.model.voxel.wide.{FaceTexel, VoxelRaySetup}
+import frustum.reference.voxel.IdealVoxelPicture
 import frustum.scene.{Hills, VoxelWorld}
 import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random
@@ -81,7 +82,7 @@ class VoxelModelTest extends AnyFunSuite {
       Seq.fill(40)((random.nextDouble() * 360, random.nextDouble() * 180 - 90)).map { case (yaw, pitch) =>
         val view = VoxelView(Vector3(32, 32, 16), yaw, pitch, 225)
         val camera = view.camera(c)
-        val ideal = VoxelJudge.rays(view, c)
+        val ideal = IdealVoxelPicture.rays(view, c)
         (for (j <- 0 until c.height by 7; i <- 0 until c.width by 7) yield {
           val ray = VoxelRaySetup(camera.eye.axes, camera.direction(i, j), c)
           VoxelJudge.error(ideal, i, j, ray, c)

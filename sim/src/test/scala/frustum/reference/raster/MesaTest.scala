@@ -2,7 +2,7 @@ package frustum.reference.raster
 
 import frustum.contract.raster.{FramePass, RasterConfig, Wrap}
 import frustum.driver.raster.{DrawOptions, Driver}
-import frustum.engine.raster.Engines
+import frustum.engine.raster.RasterEngines
 import frustum.judge.{AttributeJudge, FrameJudge, MesaJudge, Passes}
 import frustum.scene.Scenes
 import org.scalatest.funsuite.AnyFunSuite
@@ -73,7 +73,7 @@ class MesaTest extends AnyFunSuite {
   test(
     "of every scene the model shows the same triangles and texels, but for depths and texels that lie close"
   ) {
-    val judge = new FrameJudge(Engines.model, simulated = false)
+    val judge = new FrameJudge(RasterEngines.model, simulated = false)
     for (name <- Scenes.names) {
       val scene = Scenes.byName(name)
       val options = DrawOptions(None, cullBack = false, Wrap.Repeat, scene.background)

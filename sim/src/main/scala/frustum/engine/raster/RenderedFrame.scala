@@ -1,8 +1,5 @@
 package frustum.engine.raster
 
-import frustum.contract.video.Panel
-import frustum.driver.raster.PreparedFrame
-
 /** A frame as an engine drew it.
   *
   * @param image        RGB565, row by row from the top left
@@ -19,18 +16,3 @@ final case class RenderedFrame(
     setUps: Option[Long] = None,
     moves: Option[Long] = None
 )
-
-/** Something that draws prepared frames: float64, bit-exact model, or simulated hardware. All frames of one
-  * call have the same configuration and textures, so an engine may build and load once.
-  */
-trait Engine {
-  def render(frames: Seq[PreparedFrame]): Seq[RenderedFrame]
-}
-
-/** What an engine may be told.
-  *
-  * @param seed of whatever is random, such as stalls
-  * @param wave file that takes the waveform of a simulated engine
-  * @param panel display at the pins
-  */
-final case class EngineOptions(seed: Long, wave: Option[java.nio.file.Path], panel: Panel = Panel.Ili9341)

@@ -6,11 +6,11 @@ import frustum.contract.video.VideoMode
 import frustum.demos.pong.{PongPipelineConfig, PongScene}
 import frustum.harness.Simulated
 import frustum.model.demos.pong.{PongButtons, PongGame, PongModel}
-import frustum.play.AutoPlayer
+import frustum.play.{AutoPlayer, PlayedGame}
 import org.scalatest.funsuite.AnyFunSuite
 
 /** Games at the pins of the boards' tops, in modes of few pixels: each frame is the model's. */
-class PongRunTest extends AnyFunSuite with Simulated {
+class PongEngineTest extends AnyFunSuite with Simulated {
 
   /** The room in few pixels, and blanks that are long enough for set-up.
     *
@@ -27,13 +27,17 @@ class PongRunTest extends AnyFunSuite with Simulated {
   private def play(c: PongPipelineConfig, player: PongGame => PongButtons, frames: Int, board: PongBoard) = {
     val model = new PongModel(c)
     var last = Option.empty[(PongGame, Seq[Int])]
-    val run = new PongRun(c, player, 1, board).play(frames) { f =>
-      val wanted = last.filter(_._1 == f.game).fold(model.frame(f.game).toSeq)(_._2)
-      last = Some((f.game, wanted))
+    val (shown, played) = PlayedGame.frames(player).take(frames).duplicate
+    var run = Option.empty[PongMeasures]
+    PongEngines.default.make(PongSetting(c, board, 1)).draw(played.map(_._2)) { f =>
+      val game = shown.next()._1
+      val wanted = last.filter(_._1 == game).fold(model.frame(game).toSeq)(_._2)
+      last = Some((game, wanted))
       assert(f.atPins.toSeq == wanted, s"frame ${f.index}")
+      run = Some(f.measures)
     }
-    assert(run.syncErrors == 0)
-    run
+    assert(run.get.frames == frames && run.get.syncErrors == 0)
+    run.get
   }
 
   test("arty-pong: pictures at the pins, timing, buttons") {

@@ -1,0 +1,66 @@
+package frustum.engine.pong
+
+import frustum.demos.pong.PongPipelineConfig
+import frustum.engine.{Engine, EngineEntry, EngineKind, EngineSim, EngineTable}
+import frustum.model.demos.pong.PongButtons
+import frustum.peripheral.VideoMeasure
+
+/** What an engine of pong is built from.
+  *
+  * @param seed of whatever is random at the start of a simulation
+  */
+final case class PongSetting(config: PongPipelineConfig, board: PongBoard, seed: Long)
+
+/** What was measured at the pins and inside since the start. */
+final case class PongMeasures(
+    frames: Long,
+    clocksPerFrame: Long,
+    pixelsPerClock: Double,
+    latencyClocks: Int,
+    syncErrors: Long,
+    score: Int,
+    win: Boolean,
+    sync: Seq[VideoMeasure]
+)
+
+/** A frame as it was at the pins, counted from 0. */
+final case class PongFrame(index: Int, atPins: Array[Int], measures: PongMeasures)
+
+/** The engines of pong. Works are the buttons that are held while a frame is shown: a tick's for an odd frame and the
+  * next.
+  */
+object PongEngines
+    extends EngineTable(
+      new EngineEntry[PongSetting, Engine[PongButtons, PongFrame]]("hardware", EngineKind.Board)(new PongBoardEngine(_))
+    )
+
+/** A board's top in simulation, with a monitor and buttons at its pins. */
+private final class PongBoardEngine(setting: PongSetting) extends Engine[PongButtons, PongFrame] {
+  import setting.{board, config, seed}
+
+  def draw(works: Iterator[PongButtons])(each: PongFrame => Unit): Unit = {
+    val held = works.buffered
+    if (held.hasNext) EngineSim.run(PongSession.compile(config, board), None, seed) { dut =>
+      val session = new PongSession(dut, held.head)
+      for ((buttons, index) <- held.zipWithIndex) {
+        session.press(buttons)
+        val atPins = session.frame()
+        each(PongFrame(index, atPins, measures(dut, session)))
+      }
+    }
+  }
+
+  private def measures(dut: PongTestbed, session: PongSession): PongMeasures = {
+    val (reader, sync) = (session.reader, session.reader.measures)
+    PongMeasures(
+      reader.frames,
+      reader.clocksPerFrame,
+      config.mode.width.toDouble / sync.find(_.name == "width").get.last,
+      dut.latencyClocks,
+      reader.errors,
+      dut.score,
+      dut.won,
+      sync
+    )
+  }
+}
