@@ -7,7 +7,7 @@ import frustum.engine.pong.PongEngines
 import frustum.engine.raster.RasterEngines
 import frustum.engine.voxel.{VoxelEngines, VoxelSetting}
 import frustum.scene.Hills
-import org.joml.Vector3d
+import frustum.driver.linear.Vector3
 import org.scalatest.funsuite.AnyFunSuite
 
 class EngineTableTest extends AnyFunSuite {
@@ -27,7 +27,7 @@ class EngineTableTest extends AnyFunSuite {
     val setting = VoxelSetting(config, Blocks.assets, Hills(config.size, 1), highlight = false, 1)
     var drawn = 0
     val views = Iterator.continually(()).takeWhile(_ => drawn < 3).map { _ =>
-      VoxelView(new Vector3d(8, 8, 12), 30.0 * drawn, -20, 24)
+      VoxelView(Vector3(8, 8, 12), 30.0 * drawn, -20, 24)
     }
     VoxelEngines.byName("model").make(setting).draw(views) { frame =>
       assert(frame.picture.length == config.pixels)

@@ -31,7 +31,7 @@ class EdgeWalkerClaims(config: RasterConfig) extends Component {
 }
 
 class InterpolatorClaims(config: RasterConfig) extends Component {
-  val unit = FormalDut(Interpolator(config, 3))
+  val unit = FormalDut(Interpolator(config.copy(slots = 3)))
   assumeInitial(clockDomain.isResetActive)
   Claims.source(unit.io.token)
   Claims.source(unit.io.spans)
