@@ -1,6 +1,6 @@
 package frustum.engine
 
-import frustum.contract.raster.RasterConfig
+import frustum.contract.raster.{RasterConfig, RenderStateLayout}
 import frustum.files.OutputFile
 import spinal.core._
 import spinal.core.sim._
@@ -28,9 +28,10 @@ object EngineSim {
   /** Everything of a configuration, for names of simulations. */
   def nameOf(config: RasterConfig): String = {
     import config._
+    val constant = RenderStateLayout.fields.map(f => f"${fixed(f).mask}%x-${fixed(f).value}%x").mkString("-")
     s"${width}x${height}_${tileWidth}x${tileHeight}_${maxVertices}_${maxTriangles}_${textureTexels}_" +
-      s"${fixed.code.filter(_.isLetterOrDigit)}_${formats.coordinate}_${formats.depth}_${formats.color}_${formats.inverse}_" +
-      s"${ranges.position}_${ranges.repeats}_${ranges.ratio}_${clearColor.fold("any")(_.toString)}"
+      s"${constant}_${formats.coordinate}_${formats.depth}_${formats.color}_${formats.inverse}_" +
+      s"${ranges.position}_${ranges.repeats}_${ranges.ratio}_${clearColor.fold("any")(_.toString)}_$slots"
   }
 
   /** @param name must tell everything that the design depends on

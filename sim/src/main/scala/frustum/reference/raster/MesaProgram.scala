@@ -1,7 +1,7 @@
 package frustum.reference.raster
 
 import frustum.files.OutputFile
-import java.nio.file.{Files, Path}
+import java.nio.file.{Files, Path, StandardCopyOption}
 import scala.sys.process.{ProcessLogger, stringSeqToProcess}
 
 /** A C program of the resources that draws off-screen with Mesa's llvmpipe; it says the renderer's name on stderr. */
@@ -27,15 +27,24 @@ final class MesaProgram(program: Path) {
 
 object MesaProgram {
 
-  /** `name`.c of the resources, compiled; None where Mesa or a C compiler is missing. */
+  /** `name`.c of the resources, compiled; None where Mesa or a C compiler is missing. The program takes its place whole, so
+    * that a command that runs it at the same time never meets half of one.
+    */
   def compiled(name: String): Option[MesaProgram] = {
     val folder = Files.createDirectories(Path.of(".cache", "mesa")).toAbsolutePath
     val source = getClass.getResourceAsStream(s"/mesa/$name.c").readAllBytes()
     OutputFile.write(folder.resolve(s"$name.c"))(part => Files.write(part, source))
-    val command = Seq("gcc", "-O1", "-o", s"$folder/$name", s"$folder/$name.c", "-lOSMesa", "-lm")
-    val built =
-      try command.!(ProcessLogger(_ => ())) == 0
-      catch { case _: java.io.IOException => false }
-    Option.when(built)(new MesaProgram(folder.resolve(name)))
+    val part = Files.createTempFile(folder, name, ".part")
+    try {
+      val command = Seq("gcc", "-O1", "-o", part.toString, s"$folder/$name.c", "-lOSMesa", "-lm")
+      val built =
+        try command.!(ProcessLogger(_ => ())) == 0
+        catch { case _: java.io.IOException => false }
+      Option.when(built) {
+        val program = folder.resolve(name)
+        Files.move(part, program, StandardCopyOption.ATOMIC_MOVE)
+        new MesaProgram(program)
+      }
+    } finally Files.deleteIfExists(part)
   }
 }
