@@ -100,7 +100,8 @@ writeClasspath := {
 
 /** Every command of the workbench by its name in sbt's own shell; alone on the command line ./sbt takes them itself. */
 // format: off (project/command.sh reads this line)
-val commandNames = "demo render verilog bitstream bench pong voxel play budgets chart stability fit mutate".split(' ').toSeq
+val commandNames =
+  "demo render verilog bitstream bench pong voxel play budgets chart stability fit mutate".split(' ').toSeq
 // format: on
 Global / commands ++= commandNames.map { name =>
   Command.args(name, "<args>") { (state, args) =>

@@ -64,7 +64,12 @@ object Llvmpipe {
     val pictures = scene.materials.flatMap(m => m.texture.map(_ -> view.wrapOf(m))).distinct
     line(pictures.length)
     pictures.foreach { case (p, wrap) =>
-      line(p.width, p.height, flag(p.hasAlpha), wrap match { case Wrap.Repeat => 0; case Wrap.Clamp => 1; case Wrap.Mirror => 2 })
+      line(
+        p.width,
+        p.height,
+        flag(p.hasAlpha),
+        wrap match { case Wrap.Repeat => 0; case Wrap.Clamp => 1; case Wrap.Mirror => 2 }
+      )
       rowsFromBottom(p).foreach(row => line(row.map(c => c & 0xffffffffL): _*))
     }
     line(view.order.length)

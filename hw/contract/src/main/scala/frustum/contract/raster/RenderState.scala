@@ -115,7 +115,12 @@ object RenderState {
     RenderState(
       texture =
         if (unnamed) None
-        else Some(TextureRef(TextureBase.of(w), sideOf(Log2Width), sideOf(Log2Height), coded(Format, TexelFormat.all)(_.code))),
+        else Some(TextureRef(
+          TextureBase.of(w),
+          sideOf(Log2Width),
+          sideOf(Log2Height),
+          coded(Format, TexelFormat.all)(_.code)
+        )),
       wrapS = coded(WrapS, Wrap.all)(_.code),
       wrapT = coded(WrapT, Wrap.all)(_.code),
       combine = combine,
