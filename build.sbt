@@ -99,11 +99,9 @@ writeClasspath := {
 }
 
 /** Every command of the workbench by its name in sbt's own shell; alone on the command line ./sbt takes them itself. */
-// format: off (project/command.sh reads this line)
-val commandNames =
-  "demo render verilog bitstream bench pong voxel play budgets chart stability fit mutate".split(' ').toSeq
-// format: on
-Global / commands ++= commandNames.map { name =>
+// project/command.sh reads this line
+val commandNames = "demo render verilog bitstream bench pong voxel play budgets chart stability fit mutate"
+Global / commands ++= commandNames.split(' ').toSeq.map { name =>
   Command.args(name, "<args>") { (state, args) =>
     val quoted = args.map(a => if (a.exists(_.isWhitespace)) "\"" + a + "\"" else a)
     s"sim/runMain frustum.command.Main $name ${quoted.mkString(" ")}" :: state
