@@ -34,5 +34,10 @@ run_command() {
     touch -r .cache/classpath.start .cache/classpath
   fi
   if [ $# = 1 ]; then set -- --line "$1"; fi
+  # Java takes the names of files in the locale's encoding; without one it finds none that are beyond ASCII.
+  case $(locale charmap 2>/dev/null) in
+    UTF-8) ;;
+    *) export LC_ALL=C.UTF-8 ;;
+  esac
   exec java -Xmx4g -Xss8m -cp "$(cat .cache/classpath)" frustum.command.Main "$@"
 }

@@ -1,12 +1,12 @@
 package frustum.scene
 
-/** Resamples a picture by area average (a box filter): each new texel is the mean of the part of the picture that it
-  * covers, texels at the border by the part of them that is covered. No texel takes from beyond an edge, so a picture that
-  * repeats, or is mirrored, still does.
+/** Resamples a picture by area average (a box filter): each new texel is the mean of the part of the picture that
+  * it covers, texels at the border by the part of them that is covered. No texel takes from beyond an edge, so a
+  * picture that repeats, or is mirrored, still does.
   *
-  * Channels are averaged as the file has them, as OpenGL does where it is not told otherwise; colours count by their
-  * opacity, so that what lies invisible under transparent texels does not show. Sums are exact; the mean is rounded to
-  * nearest.
+  * Channels are averaged as the file has them, as OpenGL does where it is not told otherwise; colours count by
+  * their opacity, so that what lies invisible under transparent texels does not show. Sums are exact; the mean is
+  * rounded to nearest.
   */
 object AreaAverage {
 

@@ -10,9 +10,10 @@ object Framing {
   /** From the sphere's centre to the eye. */
   private def direction = Vector3(0.45, 0.35, 0.82).normalized
 
-  /** With c and r the sphere's centre and radius: eye = c + d * direction, d = 1.15 r / sin(half of the smaller of the two
-    * fields of view); looking at c. Near and far are 1.1 r before and behind c along the line of sight, near not below
-    * 0.01 r, far not before near. What is given takes the place of what follows from the sphere, and the rest follows from that.
+  /** With c and r the sphere's centre and radius: eye = c + d * direction, d = 1.15 r / sin(half of the smaller of
+    * the two fields of view); looking at c. Near and far are 1.1 r before and behind c along the line of sight,
+    * near not below 0.01 r, far not before near. What is given takes the place of what follows from the sphere, and
+    * the rest follows from that.
     *
     * @param sphere centre and radius
     * @param aspect width / height of the picture

@@ -10,8 +10,8 @@ import java.nio.file.Path
   */
 final case class MaterialPicture(image: TextureImage, colored: Boolean)
 
-/** The pictures of materials, read once each, at sizes that the hardware holds together. What is missing, or of a format
-  * that is not known, gets a notice and no picture.
+/** The pictures of materials, read once each, at sizes that the hardware holds together. What is missing, or of a
+  * format that is not known, gets a notice and no picture.
   *
   * @param texels   of the texel memory
   * @param wanted   side for pictures of sizes that the hardware does not take, see [[TextureSizes]]
@@ -118,8 +118,8 @@ object MaterialPictures {
       namedBy: Option[SourceLine]
   )
 
-  /** White of the opacity that a texel of `map_d` stands for: the channel that `-imfchan` names, else its alpha where the
-    * picture has some, else its luminance.
+  /** White of the opacity that a texel of `map_d` stands for: the channel that `-imfchan` names, else its alpha
+    * where the picture has some, else its luminance.
     */
   private def opacity(argb: Int, channel: Option[Char], hasAlpha: Boolean): Int = {
     val (r, g, b) = (argb >> 16 & 255, argb >> 8 & 255, argb & 255)

@@ -68,16 +68,21 @@ object MtlFile {
       case "d"                => change(_.copy(opacity = Some(fraction(line, notices))))
       case "tr"               => change(_.copy(clear = Some(fraction(line, notices))))
       case "map_kd" | "map_d" =>
-        if (line.text.isEmpty) line.error(s"'${line.name}' without a file; write '${line.name} FILE.png'")
-        val map = MapStatement(line)
-        if (map.name.isEmpty) line.error(s"'${line.name} ${line.text}' without a file; write '${line.name} FILE.png'")
-        if (map.skipped.nonEmpty) {
-          val options = map.skipped.distinct.map(o => s"'$o'").mkString(", ")
-          notices.at(line.place, s"${line.name}: $options changes nothing here; skipped", s"${line.keyword} $options")
-        }
+        val map = picture(line, notices)
         change(m => if (line.keyword == "map_kd") m.copy(map = Some(map)) else m.copy(alphaMap = Some(map)))
       case _ => before
     }
+  }
+
+  private def picture(line: SourceLine, notices: Notices): MapStatement = {
+    val map = MapStatement(line)
+    if (map.name.isEmpty)
+      line.error(s"'${s"${line.name} ${line.text}".trim}' without a file; write '${line.name} FILE.png'")
+    val channel = map.channel.filter(_ => line.keyword == "map_kd").map(_ => "-imfchan")
+    val options = (map.skipped ++ channel).distinct.map(o => s"'$o'").mkString(", ")
+    if (options.nonEmpty)
+      notices.at(line.place, s"${line.name}: $options changes nothing here; skipped", s"${line.keyword} $options")
+    map
   }
 
   private def diffuse(line: SourceLine, notices: Notices): (Double, Double, Double) = {

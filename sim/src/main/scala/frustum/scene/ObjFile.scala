@@ -1,6 +1,5 @@
 package frustum.scene
 
-import frustum.contract.InputError
 import frustum.driver.linear.Vector3
 import frustum.files.Notices
 import java.nio.file.Path
@@ -27,12 +26,6 @@ object ObjFile {
 
   /** A polygon, and the material in force, None where there is none. */
   final case class Face(corners: IndexedSeq[Corner], material: Option[MtlMaterial], line: SourceLine)
-
-  private type Color = (Double, Double, Double, Double)
-  private val White: Color = (1, 1, 1, 1)
-
-  /** Beyond, powers of lengths would leave double precision. */
-  private val Farthest = 1e30
 
   /** Statements that do not change what is drawn here. */
   private val Silent =
@@ -71,10 +64,11 @@ object ObjFile {
 
   /** The state of reading one file. */
   private final class ObjReader(notices: Notices) {
-    private val positions = mutable.ArrayBuffer.empty[(Vector3, Color)]
+    private val positions = mutable.ArrayBuffer.empty[(Vector3, (Double, Double, Double, Double))]
     private val textures = mutable.ArrayBuffer.empty[Option[(Double, Double)]]
     private val normals = mutable.ArrayBuffer.empty[Option[Vector3]]
     private val faces = mutable.ArrayBuffer.empty[(IndexedSeq[Corner], Option[SourceLine], SourceLine)]
+    private val vertices = new ObjVertices(notices)
     private val materials = new MaterialNames(notices)
     private var current = Option.empty[SourceLine]
 
@@ -86,9 +80,9 @@ object ObjFile {
     }
 
     private def statement(line: SourceLine): Unit = line.keyword match {
-      case "v"                 => positions += vertex(line)
-      case "vt"                => textures += textureVertex(line)
-      case "vn"                => normals += normal(line)
+      case "v"                 => positions += vertices.position(line)
+      case "vt"                => textures += vertices.texture(line)
+      case "vn"                => normals += vertices.normal(line)
       case "f" | "fo"          => face(line)
       case "mtllib"            => materials.library(line)
       case "usemtl"            => current = Some(line)
@@ -103,62 +97,6 @@ object ObjFile {
 
     private def skip(line: SourceLine, what: String): Unit =
       notices.at(line.place, s"$what are skipped, only polygons are drawn; export the mesh as polygons")
-
-    private def vertex(line: SourceLine): (Vector3, Color) = {
-      val n = line.numbersOrNaN(3, 8, "x y z")
-      line.copy(text = line.words.take(3).mkString(" ")).numbers(3, 3, "x y z")
-      if (n.take(3).exists(_.abs > Farthest)) line.error("a vertex beyond 1e30; scale the mesh down")
-      (Vector3(n(0), n(1), n(2)), color(line, n.drop(3)))
-    }
-
-    /** After the position: nothing, a weight, a colour, or a colour and its alpha. */
-    private def color(line: SourceLine, n: IndexedSeq[Double]): Color =
-      if (n.length < 3) White
-      else {
-        val rgba = n.take(4)
-        if (n.length > 4) notices.at(
-          line.place,
-          s"'v' with ${n.length + 3} values: what follows x y z r g b a is skipped",
-          "v too long"
-        )
-        if (rgba.forall(_.isFinite)) {
-          if (rgba.exists(c => c < -MtlFile.HalfLevel || c > 1 + MtlFile.HalfLevel))
-            notices.at(
-              line.place,
-              "a vertex colour outside 0..1 is clamped; write 'v x y z r g b' with r, g, b in 0..1",
-              "v clamped"
-            )
-          val c = rgba.map(_.max(0).min(1))
-          (c(0), c(1), c(2), if (c.length > 3) c(3) else 1.0)
-        } else {
-          notices.at(
-            line.place,
-            "a vertex colour that is not finite is white; write 'v x y z r g b' with finite numbers",
-            "v colour"
-          )
-          White
-        }
-      }
-
-    private def textureVertex(line: SourceLine): Option[(Double, Double)] = {
-      val n = line.numbersOrNaN(1, 3, "u v").take(2)
-      if (!n.forall(_.isFinite))
-        notices.at(
-          line.place,
-          "a texture coordinate is not finite: its faces show their plain colour; export it anew",
-          "vt"
-        )
-      Option.when(n.forall(_.isFinite))((n(0), n.lift(1).getOrElse(0.0)))
-    }
-
-    private def normal(line: SourceLine): Option[Vector3] = {
-      val n = line.numbersOrNaN(3, 3, "x y z")
-      if (!n.forall(_.isFinite))
-        notices.at(line.place, "a normal is not finite: its faces' own is taken; export it anew", "vn")
-      // to a largest component of 1 first: squares of what a file may hold leave double precision
-      val most = n.map(_.abs).max
-      Option.when(n.forall(_.isFinite) && most > 0)(Vector3(n(0) / most, n(1) / most, n(2) / most).normalized)
-    }
 
     private def face(line: SourceLine): Unit = {
       val corners = line.words.map(corner(line, _))

@@ -96,8 +96,9 @@ object ObjScene {
     }
   }
 
-  /** Normal of a polygon by Newell's sums, which need no corner to be convex. Where they cancel, as in a quadrilateral that
-    * crosses itself, that of the largest of the triangles they are made of; (0, 1, 0) where all corners lie on a line.
+  /** Normal of a polygon by Newell's sums, which need no corner to be convex. Where they cancel, as in a
+    * quadrilateral that crosses itself, that of the largest of the triangles they are made of; (0, 1, 0) where all
+    * corners lie on a line.
     */
   private def faceNormal(p: IndexedSeq[Vector3]): Vector3 = {
     val crosses = p.indices.map { i =>

@@ -1,8 +1,8 @@
 package frustum.scene
 
-/** On which side of a directed line a point lies, exactly: the sign of the rounded determinant where it cannot be wrong,
-  * else that of the exact one. Bound of the error as in Shewchuk, "Adaptive precision floating-point arithmetic and fast
-  * robust geometric predicates" (1997), section 4.3.
+/** On which side of a directed line a point lies, exactly: the sign of the rounded determinant where it cannot be
+  * wrong, else that of the exact one. Bound of the error as in Shewchuk, "Adaptive precision floating-point
+  * arithmetic and fast robust geometric predicates" (1997), section 4.3.
   */
 object Orientation {
   private val Bound = { val half = math.ulp(1.0) / 2; (3 + 16 * half) * half }

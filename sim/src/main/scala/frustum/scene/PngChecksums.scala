@@ -4,9 +4,9 @@ import java.nio.ByteBuffer
 import java.nio.charset.StandardCharsets
 import java.util.zip.CRC32
 
-/** The checksums of PNG files (ISO/IEC 15948, 5.3 and 5.4), which Java's reader leaves unchecked: a chunk is length, type,
-  * data and the CRC of type and data. Those are checked that a picture is made of: the critical chunks, whose type begins
-  * with a capital letter, and tRNS, its transparency.
+/** The checksums of PNG files (ISO/IEC 15948, 5.3 and 5.4), which Java's reader leaves unchecked: a chunk is
+  * length, type, data and the CRC of type and data. Those are checked that a picture is made of: the critical
+  * chunks, whose type begins with a capital letter, and tRNS, its transparency.
   */
 object PngChecksums {
   private val Signature = Seq(0x89, 'P'.toInt, 'N'.toInt, 'G'.toInt, '\r'.toInt, '\n'.toInt, 0x1a, '\n'.toInt)

@@ -57,7 +57,9 @@ object TextureFile {
 
   private def bytes(file: Path) = InputFile.bytes(file, "save it as PNG")
 
-  /** The TGA reader looks for a footer without asking whether there is room for one; what follows a picture is ignored. */
+  /** The TGA reader looks for a footer without asking whether there is room for one; what follows a picture is
+    * ignored.
+    */
   private def stream(content: Array[Byte]) =
     new ByteArrayImageInputStream(java.util.Arrays.copyOf(content, content.length.max(64)))
 
@@ -111,8 +113,8 @@ object TextureFile {
   /** A texel that is a hole or solid. */
   private def cutOut(argb: Int): Int = if (argb >>> 24 < 128) argb & 0xffffff else argb | 0xff000000
 
-  /** 0xAARRGGBB of a row. Java takes grey values for linear light and would brighten them; a file's mean what red, green
-    * and blue of that value do.
+  /** 0xAARRGGBB of a row. Java takes grey values for linear light and would brighten them; a file's mean what red,
+    * green and blue of that value do.
     */
   private def colors(p: BufferedImage, y: Int): Array[Int] =
     if (p.getColorModel.getColorSpace.getType != ColorSpace.TYPE_GRAY)

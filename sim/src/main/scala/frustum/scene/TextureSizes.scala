@@ -4,9 +4,9 @@ import frustum.driver.scene.TextureImage
 
 /** Sizes for the pictures of a scene that the hardware holds.
   *
-  * A picture of a size that the hardware takes keeps it. The sides of any other become powers of two: those that are one
-  * stay, the rest become the largest with which all pictures fit the texel memory, or what is asked for. Where the
-  * memory is too small even so, pictures of any size shrink.
+  * A picture of a size that the hardware takes keeps it. The sides of any other become powers of two: those that
+  * are one stay, the rest become the largest with which all pictures fit the texel memory, or what is asked for.
+  * Where the memory is too small even so, pictures of any size shrink.
   */
 object TextureSizes {
 

@@ -9,11 +9,11 @@ import scala.collection.mutable
   */
 final case class Triangulation(triangles: Seq[(Int, Int, Int)], crossed: Boolean)
 
-/** Cuts a polygon into triangles along diagonals within it, by cutting off ears: a corner is one where its triangle turns
-  * as the polygon does and holds no other corner (Meisters 1975: every simple polygon has two). A convex polygon becomes
-  * the fan of its first corner. Corners may lie on edges, coincide, or touch: a hole joined to the outline by an edge
-  * that is passed twice is a hole. Sides are decided exactly. Where a polygon crosses itself, or has no area, there may
-  * be no ear: what is left becomes a fan.
+/** Cuts a polygon into triangles along diagonals within it, by cutting off ears: a corner is one where its triangle
+  * turns as the polygon does and holds no other corner (Meisters 1975: every simple polygon has two). A convex
+  * polygon becomes the fan of its first corner. Corners may lie on edges, coincide, or touch: a hole joined to the
+  * outline by an edge that is passed twice is a hole. Sides are decided exactly. Where a polygon crosses itself, or
+  * has no area, there may be no ear: what is left becomes a fan.
   */
 object Triangulation {
 

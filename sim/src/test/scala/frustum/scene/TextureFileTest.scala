@@ -112,7 +112,9 @@ class TextureFileTest extends AnyFunSuite {
     }
   }
 
-  /** An uncompressed TGA file: 18 bytes of header, then the rows, blue first, from the bottom where `flags` has no 0x20. */
+  /** An uncompressed TGA file: 18 bytes of header, then the rows, blue first, from the bottom where `flags` has no
+    * 0x20.
+    */
   private def tga(width: Int, height: Int, kind: Int, bits: Int, flags: Int, texels: Seq[Int]): Array[Byte] =
     (Seq(
       0,

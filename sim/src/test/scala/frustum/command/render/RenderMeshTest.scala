@@ -72,7 +72,7 @@ class RenderMeshTest extends AnyFunSuite {
   test("02: other options are named in a notice; options may follow the name") {
     for (
       (options, names) <- Seq(
-        "-bm 1 -imfchan m t.png" -> Seq("'-bm'"),
+        "-bm 1 -imfchan m t.png" -> Seq("'-bm'", "'-imfchan'"),
         "-texres 8 t.png" -> Seq("'-texres'"),
         "-blendu on -mm 0 1 -foo 3 on t.png" -> Seq("'-blendu'", "'-mm'", "'-foo'")
       )
@@ -153,7 +153,8 @@ class RenderMeshTest extends AnyFunSuite {
 
   test("07: lines, points and curves are skipped with a notice that counts them") {
     plain(
-      square + "f 1 2 3 4\nl 1 3\nl 1 2 3\nf 1 3\np 1 2\nvp 0.5\ncstype bezier\ndeg 3\ncurv 0 1 1 2 3 4\nparm u 0 1\nend\n"
+      square + "f 1 2 3 4\nl 1 3\nl 1 2 3\nf 1 3\np 1 2\n" +
+        "vp 0.5\ncstype bezier\ndeg 3\ncurv 0 1 1 2 3 4\nparm u 0 1\nend\n"
     ) { p =>
       assert(p.covered == 64 * 64)
       assert(p.notices.length == 3)

@@ -21,9 +21,9 @@ final case class PackedCorners(
   def vertices: Seq[PackedVertex] = Seq(v0, v1, v2)
 }
 
-/** Divides a frame into regions of tiles whose triangles and vertices fit the hardware's store. A region is at least a
-  * tile; where one has too much for the store it is given only those triangles that cover the centre of one of its pixels,
-  * which of a dense mesh are few.
+/** Divides a frame into regions of tiles whose triangles and vertices fit the hardware's store. A region is at
+  * least a tile; where one has too much for the store it is given only those triangles that cover the centre of one
+  * of its pixels, which of a dense mesh are few.
   *
   * @param scene what messages call it
   */
@@ -61,8 +61,9 @@ final class PassSplitter(config: RasterConfig, scene: String) {
     val front = triangles.filterNot(_.back)
     val cull =
       if (front.length == triangles.length) ""
-      else s"--cull back leaves ${front.length} of them with ${vertices(front)} vertices${if (fits(front)) ""
-        else ", too many as well"}; "
+      else
+        s"--cull back leaves ${front.length} of them with ${vertices(front)} vertices" +
+          (if (fits(front)) "; " else ", too many as well; ")
     throw InputError(
       s"$scene: ${triangles.length} triangles with ${vertices(triangles)} vertices in the tile at pixel " +
         s"(${tile.x0 * config.tileWidth}, ${tile.y0 * config.tileHeight}), in a pass of its own; " +

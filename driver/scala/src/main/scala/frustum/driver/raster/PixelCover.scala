@@ -2,8 +2,8 @@ package frustum.driver.raster
 
 import frustum.contract.raster.PackedVertex
 
-/** Whether a triangle covers the centre of a pixel in a part of the screen, exactly. Centres on an edge count as covered
-  * whichever the edge: more triangles may seem to cover than do, never fewer.
+/** Whether a triangle covers the centre of a pixel in a part of the screen, exactly. Centres on an edge count as
+  * covered whichever the edge: more triangles may seem to cover than do, never fewer.
   */
 object PixelCover {
 
@@ -16,8 +16,8 @@ object PixelCover {
       first <= last
     }
 
-  /** The columns of `low` to `high` whose centres lie on the right of an edge, or on it. With x = 16 column + 8 the edge's
-    * function (b - a) x (p - a) is `rest` - 16 dy column, where positive is inside.
+  /** The columns of `low` to `high` whose centres lie on the right of an edge, or on it. With x = 16 column + 8 the
+    * edge's function (b - a) x (p - a) is `rest` - 16 dy column, where positive is inside.
     */
   private def narrowed(a: PackedVertex, b: PackedVertex, row: Int, low: Long, high: Long): (Long, Long) = {
     val dy = (b.y - a.y).toLong
