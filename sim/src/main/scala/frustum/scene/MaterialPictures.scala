@@ -84,7 +84,7 @@ final class MaterialPictures(texels: Int, wanted: Option[Int], replaced: Option[
             s"there is no picture '${statement.name}'; ${found.path} is taken for it",
             s"picture ${statement.name}"
           )
-        Some(found.path.normalize)
+        Some(found.path)
     }
   }
 

@@ -62,7 +62,7 @@ object MtlFile {
     }
     line.keyword match {
       case "newmtl" =>
-        if (line.text.isEmpty) line.error("a material without a name; write 'newmtl NAME'")
+        if (line.text.isEmpty) notices.at(line.place, "a material without a name; write 'newmtl NAME'")
         before :+ MtlMaterial(line.text, line)
       case "kd"               => change(_.copy(color = diffuse(line, notices)))
       case "d"                => change(_.copy(opacity = Some(fraction(line, notices))))

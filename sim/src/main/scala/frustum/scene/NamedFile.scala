@@ -23,7 +23,7 @@ object NamedFile {
       names.iterator.flatMap(n => beside(line, n)).find(Files.isRegularFile(_)).map(NamedFile(_, asWritten = true))
     def loose = (names.iterator ++ names.map(_.replaceFirst("^.*/", ""))).flatMap(similar(line, _)).nextOption()
       .map(NamedFile(_, asWritten = false))
-    exact.orElse(loose)
+    exact.orElse(loose).map(f => f.copy(path = f.path.normalize))
   }
 
   /** As it stands, without quotes, with separators of Unix, without a comment. */

@@ -251,6 +251,12 @@ class ObjSceneTest extends AnyFunSuite {
         assert(error.message.contains(message) && error.message.contains("a.mtl:"))
     }
 
+  test("what follows a material without a name is not the one's before") {
+    val s = read(square + "mtllib a.mtl\nusemtl a\nf 1 2 3\nusemtl\nf 1 2 3", "newmtl a\nKd 1 0 0\nnewmtl\nKd 0 1 0")
+    assert(s.materials.map(_.color) == Seq((1, 0, 0), (0, 1, 0)))
+    assert(s.notices.map(_.what).forall(_.contains("a.mtl:3: a material without a name")) && s.notices.length == 1)
+  }
+
   test("a damaged picture is refused, one that no face shows is not looked at") {
     val mesh = square + "mtllib a.mtl\nusemtl a\nf 1/1 2/2 3/3"
     val error = intercept[InputError](read(mesh, "newmtl a\nmap_Kd cut.png"))

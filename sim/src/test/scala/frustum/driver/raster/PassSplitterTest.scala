@@ -1,10 +1,12 @@
 package frustum.driver.raster
 
 import frustum.contract.InputError
-import frustum.contract.raster.{FramePass, PackedVertex, RasterConfig, TileRegion}
+import frustum.contract.raster.{FramePass, PackedVertex, RasterConfig, RenderState, TileRegion}
+import frustum.driver.linear.Vector3
 import frustum.driver.raster.Fixtures._
 import frustum.driver.scene.Triangle
 import frustum.engine.raster.{PassEngine, ReferenceRenderer}
+import frustum.model.raster.RasterModel
 import frustum.scene.Scenes
 import org.scalatest.funsuite.AnyFunSuite
 
@@ -71,6 +73,41 @@ class PassSplitterTest extends AnyFunSuite {
       p.vertices.length <= config.maxVertices && p.triangles.length <= config.maxTriangles
     ))
     assert(image.toSeq == plain.toSeq && image.count(_ != 0) == 48 * 48)
+  }
+
+  test("what is hidden is not sent where there is no room for it, and the bit-exact picture is the same") {
+    val ball = scene(sphere(50, 80, 100))
+    val lit = options.copy(light = Some(Vector3(1, 2, 3)))
+    val store = RasterConfig(maxVertices = 120)
+    val (large, small) = (prepare(ball, lit), prepare(ball, lit, store))
+    val sent = small.passes.map(_.triangles.length).sum
+    val covering = small.passes.map { p =>
+      val box = PixelBox(p.region.x0 * 16, p.region.y0 * 16, p.region.x1 * 16 + 15, p.region.y1 * 16 + 15)
+      large.passes.flatMap(l => l.triangles.map(t => Seq(t.v0, t.v1, t.v2).map(l.vertices))).distinct
+        .count(PixelCover.covers(_, box))
+    }.sum
+    info(s"$sent triangles sent of $covering that cover a pixel of the pass")
+    assert(sent < covering && small.passes.forall(_.vertices.length <= 120))
+    def image(frame: PreparedFrame) = new PassEngine(new RasterModel(_)).drawAll(Seq(frame)).head.image.toSeq
+    assert(image(small) == image(large))
+  }
+
+  test("glass hides nothing, and is hidden itself; what is cut out hides nothing") {
+    val front = triangle(vertex(-50, -50, 5), vertex(50, -50, 5), vertex(0, 50, 5))
+    val back = triangle(vertex(-20, -20, -5), vertex(20, -20, -5), vertex(0, 20, -5))
+    val opaque = RenderState()
+    val glass = RenderState(blend = true, depthWrite = false)
+    val holes = RenderState(alphaRef = 16)
+    val p = prepare(scene(Seq(front, back))).passes.head
+    val viewport = new Viewport(config)
+    def packed(states: (Int, Int)) = p.triangles.zip(Seq(states._1, states._2)).map { case (t, state) =>
+      val v = Seq(t.v0, t.v1, t.v2).map(p.vertices)
+      PackedCorners(state, v(0), v(1), v(2), viewport.pixels(v).get)
+    }
+    def seen(states: (Int, Int)) =
+      HiddenTriangles.without(packed(states), PixelBox(0, 0, 239, 319), IndexedSeq(opaque, glass, holes)).map(_.state)
+    assert(seen((0, 0)) == Seq(0) && seen((0, 1)) == Seq(0) && seen((0, 2)) == Seq(0))
+    assert(seen((1, 0)) == Seq(1, 0) && seen((2, 0)) == Seq(2, 0))
   }
 
   test("what would help is said: culling, and whether it is enough") {

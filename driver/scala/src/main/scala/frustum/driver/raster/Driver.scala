@@ -53,7 +53,7 @@ object Driver {
     val scaled = scaleW(clipped)
     val viewport = new Viewport(config)
     val drawn = scaled.flatMap(t => place(t, states.states.indexOf(t.state), options.cullBack, viewport))
-    val regions = new PassSplitter(config, scene.place).split(drawn.map(_._2))
+    val regions = new PassSplitter(config, states.states, scene.place).split(drawn.map(_._2))
     val passes = regions.zipWithIndex.map { case ((region, triangles), i) =>
       val (vertices, indexed) = share(triangles)
       val number = (frame * regions.length + i) & 0xffff

@@ -1,7 +1,7 @@
 package frustum.driver.raster
 
 import frustum.contract.InputError
-import frustum.contract.raster.{PackedVertex, RasterConfig, TileRegion}
+import frustum.contract.raster.{PackedVertex, RasterConfig, RenderState, TileRegion}
 
 /** A triangle ready to be stored.
   *
@@ -22,12 +22,13 @@ final case class PackedCorners(
 }
 
 /** Divides a frame into regions of tiles whose triangles and vertices fit the hardware's store. A region is at
-  * least a tile; where one has too much for the store it is given only those triangles that cover the centre of one
-  * of its pixels, which of a dense mesh are few.
+  * least a tile. Where one has too much for the store it is given only those triangles that cover the centre of one
+  * of its pixels, and of these, if need be, only those of which something may be seen: of a dense mesh few.
   *
-  * @param scene what messages call it
+  * @param states that the triangles name
+  * @param scene  what messages call it
   */
-final class PassSplitter(config: RasterConfig, scene: String) {
+final class PassSplitter(config: RasterConfig, states: IndexedSeq[RenderState], scene: String) {
 
   /** Regions, disjoint and together the whole screen, each with the triangles that touch it in their order.
     * Bands of tile rows first, then columns; InputError when the triangles of one tile are too many, with what would
@@ -46,11 +47,16 @@ final class PassSplitter(config: RasterConfig, scene: String) {
       halves(region) match {
         case Some((first, second)) => split(first, here) ++ split(second, here)
         case None                  =>
-          val seen = here.filter(t => PixelCover.covers(t.vertices, overlap(region, t)))
-          if (!fits(seen)) refuse(region, seen)
+          val covering = here.filter(t => PixelCover.covers(t.vertices, overlap(region, t)))
+          val seen = mayBeSeen(region, covering)
+          if (!fits(seen)) refuse(region, covering)
           Seq(region -> seen)
       }
   }
+
+  /** All of them where there is room. */
+  private def mayBeSeen(tile: TileRegion, triangles: IndexedSeq[PackedCorners]): IndexedSeq[PackedCorners] =
+    if (fits(triangles)) triangles else HiddenTriangles.without(triangles, pixels(tile), states)
 
   private def vertices(triangles: IndexedSeq[PackedCorners]): Int = triangles.iterator.flatMap(_.vertices).toSet.size
 
@@ -63,7 +69,7 @@ final class PassSplitter(config: RasterConfig, scene: String) {
       if (front.length == triangles.length) ""
       else
         s"--cull back leaves ${front.length} of them with ${vertices(front)} vertices" +
-          (if (fits(front)) "; " else ", too many as well; ")
+          (if (fits(mayBeSeen(tile, front))) "; " else ", too many as well; ")
     throw InputError(
       s"$scene: ${triangles.length} triangles with ${vertices(triangles)} vertices in the tile at pixel " +
         s"(${tile.x0 * config.tileWidth}, ${tile.y0 * config.tileHeight}), in a pass of its own; " +
@@ -72,12 +78,17 @@ final class PassSplitter(config: RasterConfig, scene: String) {
     )
   }
 
-  private def overlap(r: TileRegion, t: PackedCorners): PixelBox = PixelBox(
-    t.pixels.x0.max(r.x0 * config.tileWidth),
-    t.pixels.y0.max(r.y0 * config.tileHeight),
-    t.pixels.x1.min((r.x1 + 1) * config.tileWidth - 1),
-    t.pixels.y1.min((r.y1 + 1) * config.tileHeight - 1)
+  private def pixels(r: TileRegion): PixelBox = PixelBox(
+    r.x0 * config.tileWidth,
+    r.y0 * config.tileHeight,
+    ((r.x1 + 1) * config.tileWidth).min(config.width) - 1,
+    ((r.y1 + 1) * config.tileHeight).min(config.height) - 1
   )
+
+  private def overlap(r: TileRegion, t: PackedCorners): PixelBox = {
+    val (b, p) = (t.pixels, pixels(r))
+    PixelBox(b.x0.max(p.x0), b.y0.max(p.y0), b.x1.min(p.x1), b.y1.min(p.y1))
+  }
 
   private def touches(r: TileRegion, t: PackedCorners): Boolean = {
     val b = t.pixels
