@@ -10,14 +10,17 @@ case class DisplayByte() extends Bundle {
   val value = Bits(8 bits)
 }
 
-/** Serialises bytes, SPI mode 0, most significant bit first, `clocksPerBit` clocks a bit, without a clock between bytes
-  * that come in time: one of `8 * clocksPerBit` clocks. `cs` rises when none comes. (SpiMasterCtrl of spinal.lib needs
-  * idle clocks between bytes.)
+/** Serialises bytes, SPI mode 0 or 3, most significant bit first, `clocksPerBit` clocks a bit, without a clock
+  * between bytes that come in time: one of `8 * clocksPerBit` clocks. `cs` rises when none comes. (SpiMasterCtrl of
+  * spinal.lib needs idle clocks between bytes.)
   *
   * With one clock a bit SCK is the clock itself, see [[frustum.device.ClockOutput]].
+  *
+  * @param restHigh SCK is high while no byte is sent: mode 3. Within a byte both modes are alike
   */
-case class ByteShifter(clocksPerBit: Int, tech: Tech = Tech.Generic) extends Component {
+case class ByteShifter(clocksPerBit: Int, tech: Tech = Tech.Generic, restHigh: Boolean = false) extends Component {
   require(clocksPerBit >= 1 && isPow2(clocksPerBit), s"ByteShifter: $clocksPerBit clocks a bit are not 1, 2, 4, 8 ...")
+  require(!restHigh || clocksPerBit >= 2, "ByteShifter: SPI mode 3 takes at least 2 clocks a bit")
   val io = new Bundle {
     val bytes = slave(Stream(DisplayByte()))
     val sck, mosi, dc, cs = out Bool ()
@@ -38,12 +41,19 @@ case class ByteShifter(clocksPerBit: Int, tech: Tech = Tech.Generic) extends Com
     shift := io.bytes.value
     data := io.bytes.data
   }
-  io.sck := (if (phaseBits > 0) count(phaseBits - 1)
-             else {
-               val clock = ClockOutput(tech, gated = true)
-               clock.io.enable := active
-               clock.io.pin
-             })
+  io.sck := (
+    if (restHigh) {
+      // A register of its own: from count and `active` together there would be a pulse where both change.
+      val goesOn = Mux(io.bytes.ready, io.bytes.valid, active)
+      val next = Mux(active, count + 1, count)
+      RegNext(!goesOn || next(phaseBits - 1)) init True
+    } else if (phaseBits > 0) count(phaseBits - 1)
+    else {
+      val clock = ClockOutput(tech, gated = true)
+      clock.io.enable := active
+      clock.io.pin
+    }
+  )
   io.mosi := shift.msb
   io.dc := data
   io.cs := !active

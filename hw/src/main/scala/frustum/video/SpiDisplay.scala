@@ -7,10 +7,13 @@ import spinal.lib._
 
 /** Finished tiles to an ILI9341 or ST7789.
   *
-  * After reset: the panel's reset pin low, a pause, the panel's commands with a pause after "sleep out"; a pause lasts at
-  * least [[frustum.contract.video.Panel.SettleMs]], at most twice that. Then each tile is a window write (column and row address,
-  * memory write) and its pixels, RGB565, high byte first, gapless while pixels come in time: one of
+  * After reset: the panel's reset pin low, a pause, the panel's commands with a pause after "sleep out"; a pause
+  * lasts at least [[frustum.contract.video.Panel.SettleMs]], at most twice that. Then each tile is a window write (column and
+  * row address, memory write) and its pixels, RGB565, high byte first, gapless while pixels come in time: one of
   * `16 * clocksPerBit` clocks, and 11 bytes a window.
+  *
+  * A panel without chip select is sent to in SPI mode 3, SCK resting high, which takes at least 2 clocks a bit; it
+  * counts bits from its reset on, so `cs` is left open there.
   *
   * @param clockHz      the clock's frequency
   * @param clocksPerBit a power of two: SCK is the clock divided by it
@@ -31,7 +34,7 @@ case class SpiDisplay(
   }
   import DisplayState._
 
-  val shifter = ByteShifter(clocksPerBit, tech)
+  val shifter = ByteShifter(clocksPerBit, tech, restHigh = !panel.selectPin)
   io.pins.sck := shifter.io.sck
   io.pins.mosi := shifter.io.mosi
   io.pins.dc := shifter.io.dc
@@ -50,15 +53,17 @@ case class SpiDisplay(
   })
   val startByte = startBytes(index)
 
-  /** First and last pixel of a tile along an axis, the last one clipped to the screen. */
-  def ends(tile: UInt, log2: Int, pixels: Int): (UInt, UInt) = {
+  /** First and last pixel of a tile along an axis, the last one clipped to the screen, which begins at `origin`. */
+  def ends(tile: UInt, log2: Int, pixels: Int, origin: Int): (UInt, UInt) = {
     val first = (tile << log2).resize(16)
     val last = (tile @@ U((1 << log2) - 1, log2 bits)).resize(16)
     val whole = pixels % (1 << log2) == 0
-    (first, if (whole) last else Mux(tile === pixels >> log2, U(pixels - 1, 16 bits), last))
+    def moved(v: UInt): UInt = if (origin == 0) v else v + origin
+    (moved(first), moved(if (whole) last else Mux(tile === pixels >> log2, U(pixels - 1, 16 bits), last)))
   }
-  val (x0, x1) = ends(io.pixels.tileX, config.tileLog2Width, config.width)
-  val (y0, y1) = ends(io.pixels.tileY, config.tileLog2Height, config.height)
+  val (column, row) = panel.origin(config)
+  val (x0, x1) = ends(io.pixels.tileX, config.tileLog2Width, config.width, column)
+  val (y0, y1) = ends(io.pixels.tileY, config.tileLog2Height, config.height, row)
   def bytesOf(v: UInt): Seq[Bits] = Seq(v(15 downto 8).asBits, v(7 downto 0).asBits)
   val columns = Seq(B(Panel.ColumnAddress, 8 bits)) ++ bytesOf(x0) ++ bytesOf(x1)
   val rows = Seq(B(Panel.RowAddress, 8 bits)) ++ bytesOf(y0) ++ bytesOf(y1)

@@ -1,7 +1,7 @@
 package frustum.budgets
 
 import frustum.contract.InputError
-import frustum.files.{InfinityAsNull, InputFile, OutputFile}
+import frustum.files.{InfinityAsNull, JsonFile, OutputFile}
 import java.nio.file.Path
 import scala.util.control.NonFatal
 
@@ -39,7 +39,7 @@ object BudgetTable {
   def read(file: Path): BudgetTable = {
     try BudgetTable(
         for {
-          (scene, metrics) <- ujson.read(InputFile.text(file, "give the table of the tree")).obj.toSeq
+          (scene, metrics) <- JsonFile.read(file, "sim/budgets.json of the repository").root.obj.toSeq
           (metric, figures) <- metrics.obj.toSeq
         } yield Budget(
           scene,

@@ -12,6 +12,14 @@ object OutputFile {
   /** InputError where a file cannot be written: better now than after minutes of work. */
   def check(files: Path*): Unit = files.foreach(file => Files.delete(part(file)))
 
+  /** A folder for files of programs of others, made where it is missing; InputError where that, or a file in it,
+    * cannot be.
+    */
+  def folder(folder: Path): Path = {
+    check(folder.resolve("file"))
+    folder
+  }
+
   private def part(file: Path): Path = {
     val folder = file.toAbsolutePath.getParent
     try {

@@ -3,7 +3,7 @@ package frustum.fit
 import frustum.contract.InputError
 import frustum.driver.linear.Vector3
 import frustum.driver.scene.{Camera, Scene}
-import frustum.files.InputFile
+import frustum.files.{InputFile, JsonFile}
 import frustum.scene.Framing
 import java.nio.file.Path
 import scala.math.{acos, pow, toDegrees, toRadians}
@@ -62,21 +62,20 @@ object CameraVolume {
 
   /** JSON: `{"turn": [low, high], "elevation": [low, high], "distance": [low, high]}`; what is absent is as by default. */
   def read(file: Path): CameraVolume = {
-    val json = Try(ujson.read(InputFile.text(file, "give a camera volume")).obj).recover {
-      case e: InputError => throw e
-    }
-      .getOrElse(throw InputError(
-        s"$file: is no JSON object; write {${keys.map(k => s""""$k": [low, high]""").mkString(", ")}}"
-      ))
+    val document = JsonFile.read(file, "./sbt \"fit --help\"")
+    val json = document.root.objOpt.getOrElse(document.refuse(
+      "",
+      s"is no JSON object; write {${keys.map(k => s""""$k": [low, high]""").mkString(", ")}}"
+    ))
     json.keys.find(!keys.contains(_)).foreach(k =>
-      throw InputError(s"$file: there is no '$k'; keys are ${keys.mkString(", ")}")
+      document.refuse(k, s"there is no '$k'; keys are ${keys.mkString(", ")}")
     )
     def range(key: String, otherwise: (Double, Double), least: Double): (Double, Double) =
       json.get(key).fold(otherwise) { v =>
         Try((v(0).num, v(1).num)).toOption.filter { case (a, b) =>
           v.arr.length == 2 && least < a && a <= b && b < 1e6
         }.getOrElse(
-          throw InputError(s"$file: $key is $v; give [low, high], above $least and in this order")
+          document.refuse(key, s"$key is $v; give [low, high], above $least and in this order")
         )
       }
     CameraVolume(

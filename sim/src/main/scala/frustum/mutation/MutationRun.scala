@@ -2,7 +2,8 @@ package frustum.mutation
 
 import frustum.boards.flow.Tool
 import frustum.engine.{EngineSim, VerilatorSettings}
-import java.nio.file.{Files, Path}
+import frustum.files.OutputFile
+import java.nio.file.Path
 import spinal.core.sim._
 
 /** What became of a unit's mutants. */
@@ -27,7 +28,7 @@ final class MutationRun(yosys: Tool, folder: Path, say: String => Unit) {
   private val mutations = new Mutations(yosys, folder)
 
   def apply(plan: MutationPlan, count: Int, seed: Long): MutationResult = {
-    Files.createDirectories(folder)
+    OutputFile.folder(folder)
     val (ports, mutants) = mutations.make(plan.name, count, seed)(plan.unit())
     say(s"${plan.name}: ${mutants.length} mutants, ${plan.steps.length} steps")
     val file = folder.resolve(s"${plan.name}.mutants.v").toAbsolutePath.toString

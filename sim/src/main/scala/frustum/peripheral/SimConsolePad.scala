@@ -5,10 +5,11 @@ import spinal.core._
 import spinal.core.sim._
 import scala.collection.mutable.ArrayBuffer
 
-/** A console's pad at the wires of a running simulation. It shows a bit of its answer at each falling edge of SCK and takes one of the
-  * command at each rising edge, least significant bit first, while `att` is low.
+/** A console's pad at the wires of a running simulation. It shows a bit of its answer at each falling edge of SCK and
+  * takes one of the command at each rising edge, least significant bit first, while `att` is low.
   *
-  * @param answer bytes after the first, which is ones; without them there is no pad, and the wire is pulled up. Beyond its end: ones
+  * @param answer bytes after the first, which is ones; without them there is no pad, and the wire is pulled up.
+  *   Beyond its end: ones
   */
 final class SimConsolePad(pins: ConsolePadPins, clock: ClockDomain) {
   var answer: Seq[Int] = Nil
@@ -18,6 +19,11 @@ final class SimConsolePad(pins: ConsolePadPins, clock: ClockDomain) {
 
   /** Shortest and longest time between two falling edges within a byte, clocks. */
   var shortest, longest = 0L
+
+  /** Bytes that a question must have for the whole of the answer: three, and two for each of as many as the id's low
+    * digit says.
+    */
+  def due: Int = 3 + 2 * (answer.headOption.getOrElse(0) & 15)
 
   private var bits = 0
   private var selected = false

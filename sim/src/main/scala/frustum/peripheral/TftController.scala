@@ -3,6 +3,35 @@ package frustum.peripheral
 import frustum.contract.video.Panel
 import scala.collection.mutable.ArrayBuffer
 
+/** What the maker of a module has connected to its controller, from the modules' drawings; of the memory's 240 columns
+  * and 320 rows the glass shows those from `column` and `row` on, held upright.
+  *
+  * @param mirrored the memory's first column is on the right
+  * @param bgr      the glass has blue where the controller puts red
+  * @param negative the glass is light where the controller puts dark
+  */
+final case class TftGlass(
+    column: Int,
+    row: Int,
+    width: Int,
+    height: Int,
+    mirrored: Boolean = false,
+    bgr: Boolean = false,
+    negative: Boolean = true
+)
+
+object TftGlass {
+
+  /** By the panel's name; how a module is mounted is no matter of its glass. */
+  def of(panel: String): TftGlass = panel.replaceFirst("-turned.*", "") match {
+    case "ili9341"        => TftGlass(0, 0, 240, 320, mirrored = true, bgr = true, negative = false)
+    case "st7789"         => TftGlass(0, 0, 240, 320)
+    case "st7789-240x240" => TftGlass(0, 0, 240, 240)
+    case "st7789-240x280" => TftGlass(0, 20, 240, 280)
+    case "st7789-135x240" => TftGlass(52, 40, 135, 240)
+  }
+}
+
 /** An ILI9341 or ST7789 with its memory of 240 x 320 pixels, fed with the bytes of its serial port and their times.
   *
   * It obeys the commands it knows and writes down in `violations` what a real controller would not put up with: unknown
@@ -12,14 +41,11 @@ import scala.collection.mutable.ArrayBuffer
   */
 final class TftController(panel: Panel) {
   import Panel._
-  private val columns = ShortSide
-  private val pages = LongSide
+  private val columns = 240
+  private val pages = 320
   private val memory = Array.fill(columns * pages)(0)
 
-  // How the glass is built, as opposed to how it is addressed.
-  private val glassMirrored = panel == Panel.Ili9341
-  private val glassBgr = panel == Panel.Ili9341
-  private val glassNegative = panel == Panel.St7789
+  private val glass = TftGlass.of(panel.name)
 
   val violations = ArrayBuffer.empty[String]
 
@@ -54,6 +80,11 @@ final class TftController(panel: Panel) {
   /** A byte, complete at `timeMs`, with the level of D/C at its last bit. */
   def byte(data: Boolean, value: Int, timeMs: Double): Unit =
     if (data) takeData(value) else takeCommand(value, timeMs)
+
+  /** SCK has been low for long between two bytes. Modules whose chip select is tied low are specified for SPI
+    * mode 3, in which the line rests high.
+    */
+  def restedLow(): Unit = violation("SCK rests low: a module without chip select wants SPI mode 3")
 
   private def takeCommand(code: Int, timeMs: Double): Unit = {
     finish()
@@ -127,19 +158,32 @@ final class TftController(panel: Panel) {
     }
   }
 
-  /** The top left `width` x `height` pixels as RGB565 rows from the top, the panel held upright or, where they would
-    * not fit so, turned a quarter clockwise. Black while asleep or off.
+  /** The top left `width` x `height` pixels of the glass as RGB565 rows from the top. Black while asleep or off.
+    *
+    * @param quarters clockwise, by which the viewer holds the module turned
     */
-  def picture(width: Int, height: Int): Array[Int] = Array.tabulate(width * height) { i =>
+  def picture(width: Int, height: Int, quarters: Int): Array[Int] = Array.tabulate(width * height) { i =>
     val (x, y) = (i % width, i / width)
-    val (gx, gy) = if (width > columns) (columns - 1 - y, x) else (x, y)
-    if (on && awake) seen(memory(gy * columns + (if (glassMirrored) columns - 1 - gx else gx))) else 0
+    val (gx, gy) = quarters match {
+      case 0 => (x, y)
+      case 1 => (glass.width - 1 - y, x)
+      case 2 => (glass.width - 1 - x, glass.height - 1 - y)
+      case 3 => (y, glass.height - 1 - x)
+    }
+    val column = if (glass.mirrored) columns - 1 - glass.column - gx else glass.column + gx
+    if (on && awake) seen(memory((glass.row + gy) * columns + column)) else 0
+  }
+
+  /** The same, held as the module is mounted or, where the picture would not fit so, a quarter further clockwise. */
+  def picture(width: Int, height: Int): Array[Int] = {
+    val (across, down) = if (panel.turned % 2 == 0) (glass.width, glass.height) else (glass.height, glass.width)
+    picture(width, height, if (width > across || height > down) (panel.turned + 1) % 4 else panel.turned)
   }
 
   private def seen(stored: Int): Int = {
-    val swapped = ((access & Bgr) != 0) != glassBgr
+    val swapped = ((access & Bgr) != 0) != glass.bgr
     val color = if (swapped) (stored & 0x7e0) | stored >> 11 | (stored & 31) << 11 else stored
-    if (inverted != glassNegative) color ^ 0xffff else color
+    if (inverted != glass.negative) color ^ 0xffff else color
   }
 }
 

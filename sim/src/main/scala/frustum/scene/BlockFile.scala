@@ -3,7 +3,7 @@ package frustum.scene
 import frustum.contract.InputError
 import frustum.contract.voxel.{BlockTable, BlockType, VoxelAssets, VoxelTextures}
 import frustum.demos.voxel.BlockArt
-import frustum.files.JsonFile
+import frustum.files.{JsonDocument, JsonFile}
 import java.nio.file.Path
 import scala.collection.mutable
 
@@ -15,32 +15,29 @@ import scala.collection.mutable
 object BlockFile {
   private val Keys = Seq("name", "texture", "top", "bottom", "side", "opaque", "selectable", "joins")
 
-  def read(file: Path): VoxelAssets = {
-    def refuse(what: String): Nothing = throw InputError(s"$file: $what")
-    val root = JsonFile.read(file, "docs/voxel.md")
-    val textures = mutable.LinkedHashMap.empty[String, (IndexedSeq[Int], IndexedSeq[Int])]
+  def read(file: Path): VoxelAssets = new Reader(JsonFile.read(file, "docs/voxel.md")).assets
 
-    def block(v: ujson.Value, i: Int): BlockType = {
-      val where = s"block ${i + 1}"
-      val fields = v match {
-        case o: ujson.Obj => o.value
-        case _            => refuse(s"$where: is no object; write {\"name\": ...}")
-      }
-      fields.keys.find(!Keys.contains(_)).foreach(k =>
-        refuse(s"$where: there is no key '$k'; known are ${Keys.mkString(", ")}")
-      )
-      def text(key: String) = fields.get(key).map(_.strOpt.getOrElse(refuse(s"$where: $key is no string")))
+  private class Reader(document: JsonDocument) extends JsonFields(document) {
+    private val textures = mutable.LinkedHashMap.empty[String, (IndexedSeq[Int], IndexedSeq[Int])]
+
+    override protected def named(path: String): String =
+      path.replaceFirst("^\\[(\\d+)].*", "$1").toIntOption.fold("the list")(i => s"block ${i + 1}")
+
+    private def block(v: ujson.Value, path: String): BlockType = {
+      val o = fields(v, path, Keys: _*)
+      def text(key: String) =
+        o.get(key).map(_.strOpt.getOrElse(refuse(inside(path, key), s"$key is no string")))
       def flag(key: String, default: Boolean) =
-        fields.get(key).fold(default)(_.boolOpt.getOrElse(refuse(s"$where: $key is neither true nor false")))
+        o.get(key).fold(default)(_.boolOpt.getOrElse(refuse(inside(path, key), s"$key is neither true nor false")))
       def texture(key: String) = {
-        val name =
-          text(key).orElse(text("texture")).getOrElse(refuse(s"$where: has neither $key nor texture"))
-        textures.getOrElseUpdate(name, load(name, where))
+        val from = if (o.contains(key)) key else "texture"
+        val name = text(from).getOrElse(refuse(path, s"has neither $key nor texture"))
+        textures.getOrElseUpdate(name, load(name, inside(path, from)))
         textures.keys.toSeq.indexOf(name)
       }
       val Seq(side, top, bottom) = Seq("side", "top", "bottom").map(texture)
       BlockType(
-        text("name").getOrElse(refuse(s"$where: has no name")),
+        text("name").getOrElse(refuse(path, "has no name")),
         Seq(side, side, side, side, bottom, top),
         flag("opaque", default = true),
         flag("selectable", default = true),
@@ -48,16 +45,17 @@ object BlockFile {
       )
     }
 
-    def load(name: String, where: String): (IndexedSeq[Int], IndexedSeq[Int]) =
-      if (name.toLowerCase.endsWith(".png")) picture(file.resolveSibling(name), where)
+    private def load(name: String, path: String): (IndexedSeq[Int], IndexedSeq[Int]) =
+      if (name.toLowerCase.endsWith(".png")) picture(document.file.resolveSibling(name), path)
       else BlockArt.names.indexOf(name) match {
         case -1 => refuse(
-            s"$where: there is no texture '$name'; give a PNG file or one of ${BlockArt.names.mkString(", ")}"
+            path,
+            s"there is no texture '$name'; give a PNG file or one of ${BlockArt.names.mkString(", ")}"
           )
         case i => (BlockArt.textures.indices(i), BlockArt.textures.palettes(i))
       }
 
-    def picture(png: Path, where: String): (IndexedSeq[Int], IndexedSeq[Int]) = {
+    private def picture(png: Path, path: String): (IndexedSeq[Int], IndexedSeq[Int]) = {
       val side = VoxelTextures.Side
       val image =
         try TextureFile.read(
@@ -67,7 +65,7 @@ object BlockFile {
                 s"is $width x $height texels; a block's has $side x $side: scale the picture"
               )
           )
-        catch { case InputError(message) => refuse(s"$where: $message") }
+        catch { case InputError(message) => refuse(path, message) }
       val texels = image.argb.map { argb =>
         def four(at: Int) = ((argb >> at & 255) * 15 + 127) / 255
         four(16) << 12 | four(8) << 8 | four(0) << 4 | four(24)
@@ -75,22 +73,27 @@ object BlockFile {
       val palette = texels.distinct
       if (palette.length > VoxelTextures.Colors)
         refuse(
-          s"$where: $png: has ${palette.length} colours at four bits a channel; reduce them to ${VoxelTextures.Colors}"
+          path,
+          s"$png: has ${palette.length} colours at four bits a channel; reduce them to ${VoxelTextures.Colors}"
         )
       (texels.map(palette.indexOf(_)), palette.padTo(VoxelTextures.Colors, 0))
     }
 
-    val blocks = root match {
-      case list: ujson.Arr => list.value.zipWithIndex.map { case (v, i) => block(v, i) }.toIndexedSeq
-      case _               => refuse("is no list; write [{...}, ...]")
+    def assets: VoxelAssets = {
+      val blocks = list(document.root, "").zipWithIndex.map { case (v, i) => block(v, s"[$i]") }.toIndexedSeq
+      if (blocks.isEmpty) refuse("", "has no blocks; write [{\"name\": ..., \"texture\": ...}, ...]")
+      if (blocks.length > BlockTable.Most)
+        refuse(s"[${BlockTable.Most}]", s"is one too many; at most ${BlockTable.Most}")
+      if (textures.size > VoxelTextures.Most)
+        refuse("", s"names ${textures.size} textures; at most ${VoxelTextures.Most}")
+      val faces = VoxelTextures(textures.values.map(_._1).toIndexedSeq, textures.values.map(_._2).toIndexedSeq)
+      for ((b, i) <- blocks.zipWithIndex if b.opaque; t <- b.textures.distinct)
+        if (faces.indices(t).exists(texel => (faces.palettes(t)(texel) & 15) != 15)) refuse(
+          s"[$i]",
+          s"'${b.name}' is called opaque, but its texture '${textures.keys.toSeq(t)}' lets light through; " +
+            "write \"opaque\": false"
+        )
+      VoxelAssets(BlockTable(blocks), faces)
     }
-    if (blocks.length > BlockTable.Most) refuse(s"has ${blocks.length} blocks; at most ${BlockTable.Most}")
-    if (textures.size > VoxelTextures.Most)
-      refuse(s"names ${textures.size} textures; at most ${VoxelTextures.Most}")
-    try VoxelAssets(
-        BlockTable(blocks),
-        VoxelTextures(textures.values.map(_._1).toIndexedSeq, textures.values.map(_._2).toIndexedSeq)
-      )
-    catch { case e: IllegalArgumentException => refuse(e.getMessage.stripPrefix("requirement failed: ")) }
   }
 }

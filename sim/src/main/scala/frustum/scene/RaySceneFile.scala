@@ -14,7 +14,7 @@ import frustum.contract.ray.{
   RaySolid,
   RaySphere
 }
-import frustum.files.JsonFile
+import frustum.files.{JsonDocument, JsonFile}
 import java.nio.file.Path
 
 /** A ray-cast scene as JSON. Every key may be left out and is then that of `base`:
@@ -35,8 +35,8 @@ object RaySceneFile {
 
   /** @param width,height of the picture, for the camera */
   def read(file: Path, base: RayScene, width: Int, height: Int): RayScene = {
-    val root = JsonFile.read(file, "docs/pong.md")
-    try new Reader(file, base).scene(root, width, height)
+    val document = JsonFile.read(file, "docs/pong.md")
+    try new Reader(document, base).scene(document.root, width, height)
     catch {
       case e: IllegalArgumentException =>
         throw InputError(s"$file: ${e.getMessage.stripPrefix("requirement failed: ")}")
@@ -46,8 +46,10 @@ object RaySceneFile {
   /** Names of the walls, in the order of [[Wall.all]]. */
   private val Walls = Seq("left", "right", "floor", "ceiling", "back")
 
-  private class Reader(file: Path, base: RayScene) extends JsonFields(file) {
+  private class Reader(document: JsonDocument, base: RayScene) extends JsonFields(document) {
     import RayCameraRange.Vectors
+    override protected def named(path: String): String = if (path.isEmpty) "scene" else path
+
     private def range(o: collection.Map[String, ujson.Value], path: String): (IntVector, IntVector) =
       if (o.contains("centre")) {
         val c = need(o, path, "centre")(vector)
@@ -59,7 +61,7 @@ object RaySceneFile {
     private def camera(v: ujson.Value, width: Int, height: Int): RayCameraRange = {
       val o = fields(v, "camera", "eye" +: "focal" +: "low" +: "high" +: "lengths" +: Vectors.tail: _*)
       if (o.contains("lengths"))
-        list(o("lengths"), "camera.lengths").map(whole(_, "camera.lengths")) match {
+        each(o("lengths"), "camera.lengths")(whole) match {
           case Seq(least, most) =>
             val Seq(low, high) =
               Seq("low", "high").map(k =>
@@ -117,15 +119,17 @@ object RaySceneFile {
     private def image(o: collection.Map[String, ujson.Value], path: String): RayImage = {
       val name = need(o, path, "image") {
         case (ujson.Str(s), _) => s
-        case (other, at)       => refuse(at, s"${ujson.write(other)} is no name of a file")
+        case (other, at)       => refuse(at, s"${shown(other)} is no name of a file")
       }
-      val picture = TextureFile.read(
-        file.resolveSibling(name),
-        fault = (w, h) =>
-          Option.when(!Seq(w, h).forall(n => n <= RayPaint.MaxSide && Integer.bitCount(n) == 1))(
-            s"is $w x $h: each side must be a power of two up to ${RayPaint.MaxSide}"
+      val picture =
+        try TextureFile.read(
+            document.file.resolveSibling(name),
+            fault = (w, h) =>
+              Option.when(!Seq(w, h).forall(n => n <= RayPaint.MaxSide && Integer.bitCount(n) == 1))(
+                s"is $w x $h: each side must be a power of two up to ${RayPaint.MaxSide}"
+              )
           )
-      )
+        catch { case InputError(message) => refuse(inside(path, "image"), message) }
       RayImage(
         picture.width,
         picture.height,
@@ -150,7 +154,7 @@ object RaySceneFile {
       list(v, path).zipWithIndex.map { case (e, i) => read(e, s"$path[$i]") }
 
     def scene(root: ujson.Value, width: Int, height: Int): RayScene = {
-      val o = fields(root, "scene", "camera", "room", "spheres", "quads", "light", "background")
+      val o = fields(root, "", "camera", "room", "spheres", "quads", "light", "background")
       RayScene(
         o.get("camera").fold(base.camera)(camera(_, width, height)),
         o.get("room").fold(base.room)(room),

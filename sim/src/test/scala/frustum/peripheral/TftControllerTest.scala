@@ -17,11 +17,11 @@ class TftControllerTest extends AnyFunSuite {
     tft
   }
 
-  for (panel <- Panel.all) {
+  for (panel <- Panel.whole) {
     test(s"${panel.name}: a proper start is no violation, windows wrap") {
       val tft = started(panel)
       val pixels = Seq.tabulate(32 * 16 + 1)(i => SpiDisplay.Pixel(i * 100 & 0xffff, i == 0, 2, 3))
-      SpiDisplay.tiles(config, pixels).foreach { case (data, value) => tft.byte(data, value, 300) }
+      SpiDisplay.tiles(config, panel, pixels).foreach { case (data, value) => tft.byte(data, value, 300) }
       val picture = tft.picture(240, 320)
       assert(picture(48 * 240 + 64) == (512 * 100 & 0xffff)) // the last one began again at the top left
       assert(picture(48 * 240 + 65) == 100 && picture(49 * 240 + 64) == 3200 && picture(63 * 240 + 95) == 51100)
@@ -50,5 +50,51 @@ class TftControllerTest extends AnyFunSuite {
       short.reset(1, lowMs = 0.001)
       assert(short.violations.head.contains("reset low for"))
     }
+  }
+
+  /** Rows of a small screen sent to one panel as if it were another. */
+  private def shown(glass: Panel, driven: Panel, width: Int, height: Int): (Boolean, Seq[String]) = {
+    val c = RasterConfig(width = width, height = height, tileLog2Width = 4, tileLog2Height = 4)
+    val tft = new TftController(glass)
+    tft.reset(timeMs = 1, lowMs = 1)
+    SpiDisplay.start(c, driven).zipWithIndex.foreach { case ((data, value), i) =>
+      tft.byte(data, value, 122 + (if (i > 0) 121 else 0))
+    }
+    def color(x: Int, y: Int) = (x * 77 + y * 1031) & 0xffff
+    for {
+      ty <- 0 until c.tilesY; tx <- 0 until c.tilesX
+      pixels = for (y <- 16 * ty until (16 * ty + 16).min(height); x <- 16 * tx until (16 * tx + 16).min(width))
+        yield SpiDisplay.Pixel(color(x, y), x == 16 * tx && y == 16 * ty, tx, ty)
+      (data, value) <- SpiDisplay.tiles(c, driven, pixels)
+    } tft.byte(data, value, 300)
+    val right = Array.tabulate(width * height)(i => color(i % width, i / width))
+    (tft.picture(width, height).sameElements(right), tft.violations.toSeq)
+  }
+
+  for (
+    panel <- Panel.all; turned <- 0 to 3;
+    (long, short) = (panel.glass.width.max(panel.glass.height), panel.glass.width.min(panel.glass.height))
+  ) {
+    val module = if (turned == 0) panel else panel.turnedBy(turned)
+    test(s"${module.name}: the whole glass upright and on its side, turned by $turned quarters") {
+      for ((w, h) <- Seq((short, long), (long, short)).distinct)
+        assert(shown(module, module, w, h) == ((true, Nil)), s"$w x $h")
+    }
+  }
+
+  test("a window without the module's offset is seen") {
+    for (module <- Panel.all.filterNot(Panel.whole.contains) if module != Panel.St7789Square) {
+      val (w, h) = (module.glass.width, module.glass.height)
+      val plain = Panel.St7789.copy(name = module.name, turned = module.turned)
+      assert(!shown(module, plain, w, h)._1, module.name)
+    }
+  }
+
+  test("sizes that a glass does not show are refused with both") {
+    assert(Panel.St7789Small.fault(240, 240).exists(f => f.contains("240 x 240") && f.contains("135 x 240")))
+    assert(Panel.St7789Small.fault(240, 135).isEmpty && Panel.Ili9341.fault(320, 240).isEmpty && Panel.Ili9341.fault(
+      321,
+      240
+    ).isDefined)
   }
 }

@@ -13,16 +13,25 @@ import spinal.lib._
 import scala.collection.mutable.ArrayBuffer
 import scala.util.Random
 
-/** The display unit, the simulated panel's port, and a source of pixels that needs no JVM: pixel n is a hash of n. */
-case class DisplayTop(config: RasterConfig, panel: Panel, fast: Int, clocksPerBit: Int, free: Boolean)
-    extends Component {
+/** The display unit, the simulated panel's port, and a source of pixels that needs no JVM: pixel n is a hash of n.
+  *
+  * @param selectPin of the module at the pins
+  */
+case class DisplayTop(
+    config: RasterConfig,
+    panel: Panel,
+    fast: Int,
+    clocksPerBit: Int,
+    free: Boolean,
+    selectPin: Boolean
+) extends Component {
   val io = new Bundle {
     val pixels = slave(Stream(ResolvedPixel(config)))
     val pins = out(DisplayPins())
     val frames = in UInt (8 bits) // that the built-in source sends
   }
   val display = SpiDisplay(config, panel, DisplayTop.ClockHz, clocksPerBit, fast)
-  val tft = SimTft(gapLog2 = 8)
+  val tft = SimTft(gapLog2 = 8, selectPin = selectPin)
   io.pins := display.io.pins
   tft.io.pins := display.io.pins
   if (!free) display.io.pixels << io.pixels
@@ -57,7 +66,12 @@ case class DisplayTop(config: RasterConfig, panel: Panel, fast: Int, clocksPerBi
     }
   }
 }
-object DisplayTop { val ClockHz = 36000000L }
+object DisplayTop {
+  val ClockHz = 36000000L
+
+  def apply(config: RasterConfig, panel: Panel, fast: Int, clocksPerBit: Int, free: Boolean): DisplayTop =
+    DisplayTop(config, panel, fast, clocksPerBit, free, panel.selectPin)
+}
 
 class SpiDisplayTest extends AnyFunSuite with Simulated {
   private val fast = 4000
@@ -92,7 +106,13 @@ class SpiDisplayTest extends AnyFunSuite with Simulated {
       (Panel.Ili9341, RasterConfig(width = 44, height = 40, tileLog2Width = 4, tileLog2Height = 3), 2),
       (Panel.St7789, RasterConfig(width = 44, height = 40), 2),
       (Panel.Ili9341, RasterConfig(width = 264, height = 8, tileLog2Height = 3), 2),
-      (Panel.St7789, RasterConfig(width = 264, height = 8, tileLog2Height = 3), 4)
+      (Panel.St7789, RasterConfig(width = 264, height = 8, tileLog2Height = 3), 4),
+      (Panel.St7789Square, RasterConfig(width = 44, height = 40), 2),
+      (Panel.St7789SquareTurned, RasterConfig(width = 44, height = 40), 4),
+      (Panel.St7789Round, RasterConfig(width = 44, height = 40), 2),
+      (Panel.St7789Round, RasterConfig(width = 264, height = 8, tileLog2Height = 3), 2),
+      (Panel.St7789Small, RasterConfig(width = 44, height = 40), 2),
+      (Panel.St7789Small, RasterConfig(width = 136, height = 8, tileLog2Height = 3), 2)
     )
   } test(
     s"${panel.name}, ${config.width} x ${config.height}, $clocksPerBit clocks a bit: bytes as modelled, picture right"
@@ -110,12 +130,13 @@ class SpiDisplayTest extends AnyFunSuite with Simulated {
       val stream = pixels(config, picture)
       val tft = new TftController(panel)
       val reader = new SimTftReader(dut.tft, tft, DisplayTop.ClockHz, fast)
-      val bytes = DisplayModel.start(config, panel) ++ DisplayModel.tiles(config, stream)
+      val bytes = DisplayModel.start(config, panel) ++ DisplayModel.tiles(config, panel, stream)
       dut.io.pixels.valid #= false
       dut.io.frames #= 0
       SimTimeout(10L * 4000000)
-      val got = collect(dut)
+      val got = collect(dut, panel.selectPin)
       dut.clockDomain.forkStimulus(period = 10)
+      dut.clockDomain.waitSampling(20) // before the end of reset `ready` is anything
       drive(dut, stream, stall)
       dut.clockDomain.waitSampling(40 * clocksPerBit)
       reader.drain()
@@ -131,13 +152,13 @@ class SpiDisplayTest extends AnyFunSuite with Simulated {
   }
 
   /** (D/C, byte, clock) at the pins, by the JVM: independent of the simulated hardware. */
-  private def collect(dut: DisplayTop): ArrayBuffer[(Boolean, Int, Long)] = {
+  private def collect(dut: DisplayTop, selectPin: Boolean): ArrayBuffer[(Boolean, Int, Long)] = {
     val got = ArrayBuffer.empty[(Boolean, Int, Long)]
     var (sck, shift, count, clock) = (false, 0, 0, 0L)
     dut.clockDomain.onSamplings {
       clock += 1
       val now = dut.io.pins.sck.toBoolean
-      if (dut.io.pins.cs.toBoolean) count = 0
+      if (selectPin && dut.io.pins.cs.toBoolean || !dut.io.pins.reset.toBoolean) count = 0
       else if (now && !sck) {
         shift = (shift << 1 | (if (dut.io.pins.mosi.toBoolean) 1 else 0)) & 255
         count += 1
@@ -146,6 +167,34 @@ class SpiDisplayTest extends AnyFunSuite with Simulated {
       sck = now
     }
     got
+  }
+
+  for ((panel, wrong) <- Seq(Panel.St7789Square -> false, Panel.St7789Square.copy(selectPin = true) -> true))
+    test(s"a module without chip select in SPI mode ${if (wrong) 0 else 3}: ${if (wrong) "noted" else "accepted"}") {
+      val config = RasterConfig(width = 16, height = 16, tileLog2Width = 4)
+      val name = s"Display_select_$wrong"
+      FrustumSim.compile(name)(DisplayTop(config, panel, fast, 2, free = true, selectPin = false)).doSim("rest", 1) {
+        dut =>
+          dut.io.pixels.valid #= false
+          dut.io.frames #= 1
+          dut.clockDomain.forkStimulus(period = 10)
+          val tft = new TftController(panel)
+          val reader = new SimTftReader(dut.tft, tft, DisplayTop.ClockHz, fast)
+          dut.clockDomain.waitSampling(20000)
+          reader.drain()
+          assert(tft.pixels == 256)
+          assert(
+            tft.violations.exists(_.contains("SPI mode 3")) == wrong && (wrong || tft.violations.isEmpty),
+            tft.violations
+          )
+      }
+    }
+
+  test("SPI mode 3 with a clock a bit is refused") {
+    val e = intercept[IllegalArgumentException](FrustumSim.spinalConfig.generateVerilog(
+      SpiDisplay(RasterConfig(width = 16, height = 16), Panel.St7789Square, DisplayTop.ClockHz, clocksPerBit = 1)
+    ))
+    assert(e.getMessage.contains("mode 3"))
   }
 
   test("two whole frames of 240 x 320 at the pins, in under 10 s each") {

@@ -22,11 +22,10 @@ object BitstreamCommand extends CommandLine {
     TopArguments.parse(parser, args).fold(0) { arguments =>
       val top = if (arguments.ecp5) arguments.find.onEcp5 else arguments.find
       val directory = Paths.get("out", "bitstream")
-      Files.createDirectories(directory)
+      val files = Seq("json", "bin", "fasm").map(kind => directory.resolve(s"${top.name}.$kind"))
+      OutputFile.check(files: _*)
       // What an earlier run left would pass for this run's if this one failed.
-      Seq("json", "bin", "fasm").foreach(kind =>
-        Files.deleteIfExists(directory.resolve(s"${top.name}.$kind"))
-      )
+      files.foreach(Files.deleteIfExists(_))
       val report = build(top, arguments.seeds, arguments.placer, directory)
       val file = directory.resolve(s"${top.name}.json")
       OutputFile.writeText(file, ujson.write(report.json(BuildInfo.version), indent = 2) + "\n")

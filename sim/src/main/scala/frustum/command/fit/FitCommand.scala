@@ -6,6 +6,7 @@ import frustum.command.common.{Arguments, CommandLine}
 import frustum.command.render.RenderCommand
 import frustum.contract.InputError
 import frustum.contract.raster.{PlaneFormats, RasterConfig}
+import frustum.contract.video.Panel
 import frustum.device.Tech
 import frustum.driver.raster.DrawOptions
 import frustum.engine.raster.{EngineOptions, RasterEngines}
@@ -16,7 +17,7 @@ import frustum.raster.RasterPipeline
 import frustum.reference.raster.Mesa
 import frustum.scene.ObjScene
 import frustum.synthesis.UnitCosts
-import java.nio.file.{Files, Path, Paths}
+import java.nio.file.{Path, Paths}
 
 /** `fit`: the cheapest configuration that draws a scene from all of a volume of views within a budget of errors. */
 object FitCommand extends CommandLine {
@@ -31,6 +32,11 @@ object FitCommand extends CommandLine {
   private def fit(o: FitOptions): Int = {
     if (o.scene.isEmpty && o.obj.isEmpty) throw InputError("fit: no scene; give --scene NAME or --obj FILE")
     val base = RenderCommand.configOf(o.size._1, o.size._2)
+    if (o.synthesis) Panel.Ili9341.fault(base.width, base.height).foreach(fault =>
+      throw InputError(
+        s"--size ${base.width}x${base.height}: $fault, which icebreaker-raster has; take a smaller size or --no-synthesis"
+      )
+    )
     val volume = o.volume.fold(CameraVolume.default)(CameraVolume.read)
     val aspect = base.width.toDouble / base.height
     val own = RenderCommand.sceneOf(o.scene, o.obj, ObjScene.Options(o.texture, None, base.textureTexels, aspect))
@@ -122,7 +128,7 @@ object FitCommand extends CommandLine {
   ): FitCosts =
     try {
       val flow = new Ice40Flow(Ice40Tools.find(say))
-      val work = Files.createDirectories(folder.resolve("build"))
+      val work = OutputFile.folder(folder.resolve("build"))
       def place(what: String, c: RasterConfig) = {
         say(s"placing the $what")
         flow.run(IcebreakerTops.rasterOf(s"fit-$what", c), Seq(1), work, say, Nextpnr.Heap)

@@ -43,6 +43,11 @@ object PlayCommand extends CommandLine {
         o.copy(voxel = o.voxel.copy(world = Some(v)))
       )
         .text("voxel's: raw ids of 64x64x32 blocks, or MagicaVoxel .vox (default: hills from --seed)"),
+      opt[(Int, Int, Int)]("crop")(VoxelOptions.crop).valueName("x,y,z")
+        .action((v, o) => o.copy(voxel = o.voxel.copy(crop = Some(v))))
+        .text("voxel's: takes the part of a .vox scene from this voxel on (default: the whole scene)"),
+      opt[Unit]("opaque").action((_, o) => o.copy(voxel = o.voxel.copy(opaque = true)))
+        .text("voxel's: glass of a .vox scene is solid (default: see-through)"),
       opt[(Int, Int)]("size")(Arguments.size).valueName("WxH").action((v, o) => o.copy(voxel = o.voxel.copy(size = v)))
         .text("voxel's, pixels (default 160x120)"),
       opt[Boolean]("engine")(Arguments.oneOf("hardware" -> true, "model" -> false)).valueName("hardware|model")

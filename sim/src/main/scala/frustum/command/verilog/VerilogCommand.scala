@@ -1,6 +1,7 @@
 package frustum.command.verilog
 
 import frustum.command.common.{CommandLine, TopArguments}
+import frustum.files.OutputFile
 import java.nio.file.{Files, Path, Paths, StandardCopyOption}
 
 /** `verilog TOP`: the Verilog of a board's top, in one file `out/verilog/TOP.v`. */
@@ -14,11 +15,11 @@ object VerilogCommand extends CommandLine {
     TopArguments.parse(parser, args).foreach { arguments =>
       val top = arguments.find
       val directory = Paths.get("out", "verilog")
-      Files.createDirectories(directory)
+      val file: Path = directory.resolve(s"${top.name}.v")
+      OutputFile.check(file)
       val scratch = Files.createTempDirectory(directory, ".elaborate")
       try {
         top.writeVerilog(scratch.toString)
-        val file: Path = directory.resolve(s"${top.name}.v")
         Files.move(scratch.resolve(s"${top.name}.v"), file, StandardCopyOption.REPLACE_EXISTING)
         println(s"wrote $file")
       } finally {

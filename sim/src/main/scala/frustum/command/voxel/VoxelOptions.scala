@@ -12,6 +12,8 @@ final case class VoxelOptions(
     world: Option[Path] = None,
     worldSize: (Int, Int, Int) = (64, 64, 32),
     blocks: Option[Path] = None,
+    crop: Option[(Int, Int, Int)] = None,
+    opaque: Boolean = false,
     eye: Option[Vector3] = None,
     yaw: Option[Double] = None,
     pitch: Option[Double] = None,
@@ -47,6 +49,14 @@ object VoxelOptions {
     text.split("x", -1).map(_.toIntOption) match {
       case Array(Some(x), Some(y), Some(z)) => (x, y, z)
       case _ => throw new IllegalArgumentException(s"'$text' is not a size such as 64x64x32")
+    }
+  }
+
+  /** Voxels of a .vox scene. */
+  val crop: Read[(Int, Int, Int)] = Read.reads { text =>
+    text.split(",", -1).map(_.toIntOption.filter(_ >= 0)) match {
+      case Array(Some(x), Some(y), Some(z)) => (x, y, z)
+      case _                                => throw new IllegalArgumentException(s"'$text' is no place such as 0,64,0")
     }
   }
 
@@ -88,6 +98,14 @@ object VoxelOptions {
         "kinds of block; docs/voxel.md tells the form (default: 24 of ours)",
         Arguments.file
       )((o, v) => o.copy(blocks = Some(v))),
+      option[(Int, Int, Int)](
+        "crop",
+        "x,y,z",
+        "takes the part of a .vox scene from this voxel on (default: the whole scene)",
+        crop
+      )((o, v) => o.copy(crop = Some(v))),
+      opt[Unit]("opaque").action((_, o) => o.copy(opaque = true))
+        .text("glass of a .vox scene is solid (default: see-through)"),
       option[Vector3](
         "eye",
         "x,y,z",

@@ -5,8 +5,8 @@ import frustum.contract.voxel.{VoxelAssets, VoxelConfig, WorldSize}
 import frustum.demos.voxel.Blocks
 import frustum.driver.linear.Vector3
 import frustum.driver.voxel.VoxelView
-import frustum.files.InputFile
-import frustum.scene.{BlockFile, Hills, VoxFile, VoxelWorld}
+import frustum.files.{InputFile, Notices}
+import frustum.scene.{BlockFile, Hills, VoxFile, VoxOptions, VoxelWorld}
 
 /** What the arguments of `voxel` ask for. */
 final case class VoxelScene(
@@ -21,16 +21,7 @@ object VoxelScenes {
     val (sx, sy, sz) = o.worldSize
     WorldSize.fault(sx, sy, sz).foreach(fault => throw InputError(s"--world-size: $fault"))
     val size = WorldSize(sx, sy, sz)
-    val assets = o.blocks.fold(Blocks.assets)(BlockFile.read)
-    val world = o.world match {
-      case Some(file) if file.toString.toLowerCase.endsWith(".vox") => VoxFile.read(file, size, assets)
-      case Some(file)                 => VoxelWorld.readRaw(file, size, assets.table.blocks.length)
-      case None if o.blocks.isDefined =>
-        throw InputError(
-          "--blocks without --world: the hills are built of the workbench's own blocks; give a --world"
-        )
-      case None => Hills(size, o.seed)
-    }
+    val (world, assets) = worldOf(o, size)
     val config =
       try VoxelConfig(
           size,
@@ -63,6 +54,33 @@ object VoxelScenes {
         Seq(view)
     }
     VoxelScene(config, assets, world, views)
+  }
+
+  private def worldOf(o: VoxelOptions, size: WorldSize): (VoxelWorld, VoxelAssets) = {
+    val assets = o.blocks.fold(Blocks.assets)(BlockFile.read)
+    val vox = o.world.exists(_.toString.toLowerCase.endsWith(".vox"))
+    for ((option, given) <- Seq("--crop" -> o.crop.isDefined, "--opaque" -> o.opaque) if given && !vox)
+      throw InputError(s"$option: is for scenes of MagicaVoxel alone; give a .vox file with --world, or leave it out")
+    o.world match {
+      case Some(file) if vox =>
+        if (o.blocks.isDefined && !assets.table.blocks.exists(_.opaque)) throw InputError(
+          s"${o.blocks.get}: none of the blocks is opaque, so the voxels of $file have none; " +
+            "set \"opaque\": true in one"
+        )
+        val notices = new Notices
+        // A board that takes its world by the serial line has the blocks that it was built with.
+        val keep = o.blocks.isDefined || o.serial.isDefined
+        val options = VoxOptions(assets, o.crop, o.opaque, keep, grow = o.serial.isEmpty)
+        val read = VoxFile.read(file, size, options, notices)
+        notices.print()
+        read
+      case Some(file)                 => (VoxelWorld.readRaw(file, size, assets.table.blocks.length), assets)
+      case None if o.blocks.isDefined =>
+        throw InputError(
+          "--blocks without --world: the hills are built of the workbench's own blocks; give a --world"
+        )
+      case None => (Hills(size, o.seed), assets)
+    }
   }
 
   /** Eyes of a person in the middle of the world, on its highest block there. */

@@ -1,5 +1,6 @@
 package frustum.engine.raster
 
+import frustum.contract.InputError
 import frustum.contract.raster.RasterConfig
 import frustum.contract.video.Panel
 import frustum.driver.raster.{Driver, PreparedFrame}
@@ -17,6 +18,9 @@ final class PinsEngine(options: EngineOptions) extends Engine[PreparedFrame, Ren
   def draw(works: Iterator[PreparedFrame])(each: RenderedFrame => Unit): Unit = if (works.hasNext) {
     val frames = works.buffered
     val config = frames.head.config
+    panel.fault(config.width, config.height).foreach(fault =>
+      throw InputError(s"--size ${config.width}x${config.height}: $fault; take a smaller one or --engine pipeline")
+    )
     EngineSim.run(PinsEngine.compile(config, panel, options.wave), options.wave, options.seed) { dut =>
       val session = new PinsSession(dut)
       session.run(PinsEngine.DisplayStartClocks)

@@ -26,7 +26,7 @@ case class PinsTestbed(config: RasterConfig, panel: Panel) extends Component {
   }
   val top = RasterTop(config, panel, PinsTestbed.CoreMHz, Tech.Generic, PinsTestbed.Fast)
   val host = SimSpiHost(PinsTestbed.RingLog2)
-  val tft = SimTft(gapLog2 = 8)
+  val tft = SimTft(gapLog2 = 8, selectPin = panel.selectPin)
   val time = RegInit(U(0, 36 bits))
   time := time + 1
 

@@ -52,13 +52,14 @@ object VoxelBoardEngine {
 
   /** The Arty's console for pictures of any size: its monitor has twice as many pixels each way. */
   def console(c: VoxelConfig, assets: VoxelAssets): VoxelConsoleConfig = {
+    def refuse(why: String): Nothing =
+      throw InputError(s"--size ${c.width}x${c.height}: $why; change it or take --engine pipeline")
     val vga = VideoMode.Vga640x480
     val mode = vga.copy(name = s"${2 * c.width}x${2 * c.height}", width = 2 * c.width, height = 2 * c.height)
-    if (c.pixels % 8 != 0 || c.width < 48) throw InputError(
-      s"--size ${c.width}x${c.height}: a board's monitor takes pictures at least 48 wide, of a multiple of 8 pixels; " +
-        "change it or take --engine pipeline"
-    )
-    VoxelConsoleConfig(c, assets, if (mode.width == vga.width && mode.height == vga.height) vga else mode)
-      .copy(color = Color)
+    if (c.pixels % 8 != 0 || c.width < 48)
+      refuse("a board's monitor takes pictures at least 48 wide, of a multiple of 8 pixels")
+    val whole = mode.width == vga.width && mode.height == vga.height
+    try VoxelConsoleConfig(c, assets, if (whole) vga else mode).copy(color = Color)
+    catch { case e: IllegalArgumentException => refuse(e.getMessage.stripPrefix("requirement failed: ")) }
   }
 }

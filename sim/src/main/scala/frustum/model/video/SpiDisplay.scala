@@ -10,16 +10,18 @@ object SpiDisplay {
   def start(config: RasterConfig, panel: Panel): Seq[(Boolean, Int)] =
     panel.start(config).flatMap(c => (false, c.code) +: c.parameters.map((true, _)))
 
-  def tiles(config: RasterConfig, pixels: Seq[Pixel]): Seq[(Boolean, Int)] = pixels.flatMap { p =>
-    val window = if (p.first) windowOf(config, p.tileX, p.tileY) else Nil
+  def tiles(config: RasterConfig, panel: Panel, pixels: Seq[Pixel]): Seq[(Boolean, Int)] = pixels.flatMap { p =>
+    val window = if (p.first) windowOf(config, panel, p.tileX, p.tileY) else Nil
     window ++ word(p.color)
   }
 
   private def word(v: Int): Seq[(Boolean, Int)] = Seq((true, v >> 8), (true, v & 255))
 
-  private def windowOf(config: RasterConfig, tileX: Int, tileY: Int): Seq[(Boolean, Int)] = {
-    def range(tile: Int, size: Int, pixels: Int) = word(tile * size) ++ word((tile * size + size).min(pixels) - 1)
-    ((false, Panel.ColumnAddress) +: range(tileX, config.tileWidth, config.width)) ++
-      ((false, Panel.RowAddress) +: range(tileY, config.tileHeight, config.height)) :+ ((false, Panel.MemoryWrite))
+  private def windowOf(config: RasterConfig, panel: Panel, tileX: Int, tileY: Int): Seq[(Boolean, Int)] = {
+    val (column, row) = panel.origin(config)
+    def range(tile: Int, size: Int, pixels: Int, origin: Int) =
+      word(origin + tile * size) ++ word(origin + (tile * size + size).min(pixels) - 1)
+    ((false, Panel.ColumnAddress) +: range(tileX, config.tileWidth, config.width, column)) ++
+      ((false, Panel.RowAddress) +: range(tileY, config.tileHeight, config.height, row)) :+ ((false, Panel.MemoryWrite))
   }
 }

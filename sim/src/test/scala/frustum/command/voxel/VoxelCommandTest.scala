@@ -3,6 +3,7 @@ package frustum.command.voxel
 import frustum.command.CommandRunner
 import frustum.command.common.Words
 import frustum.harness.Simulated
+import frustum.scene.VoxWriter
 import org.scalatest.funsuite.AnyFunSuite
 import java.awt.image.BufferedImage
 import java.nio.file.{Files, Path}
@@ -41,6 +42,20 @@ class VoxelCommandTest extends AnyFunSuite {
   private val wide = file("wide.json", "[{\"name\": \"a\", \"texture\": \"large.png\"}]")
   private val colorful = file("many.json", "[{\"name\": \"a\", \"texture\": \"many.png\"}]")
   private val seeThrough = file("glass.json", "[{\"name\": \"a\", \"texture\": \"glass\"}]")
+  private val noBlocks = file("empty.json", "[]")
+  private val allClear = file("clear.json", "[{\"name\": \"a\", \"texture\": \"glass\", \"opaque\": false}]")
+  private val twice = file("twice.json", "[{\"name\": \"a\",\n \"texture\": \"sand\", \"name\": \"b\"}]")
+  private val cubes = vox(
+    "cubes.vox",
+    VoxWriter.full((3, 3, 3), 1),
+    VoxWriter.full((2, 2, 2), 2),
+    VoxWriter.scene(Seq("_t" -> "-4 0 1"), Seq("_t" -> "4 0 1"))
+  )
+  private val hollow = vox("hollow.vox", VoxWriter.model((3, 3, 3)))
+  private val sizeOnly = vox("size.vox", VoxWriter.chunk("SIZE", VoxWriter.ints(3, 3, 3)))
+  private val wideVox = vox("wide.vox", VoxWriter.full((40, 2, 2), 1))
+  private def vox(name: String, chunks: Array[Byte]*): String =
+    file(name, Files.readAllBytes(VoxWriter.file(chunks: _*)))
 
   private val table = Seq(
     "--bad" -> Seq("--bad", "--help"),
@@ -70,7 +85,24 @@ class VoxelCommandTest extends AnyFunSuite {
     s"--world '$high' --blocks '$noPaint'" -> Seq("paint.json", "velvet"),
     s"--world '$high' --blocks '$wide'" -> Seq("wide.json", "large.png", "32 x 16"),
     s"--world '$high' --blocks '$colorful'" -> Seq("many.json", "many.png", "colours"),
-    s"--world '$high' --blocks '$seeThrough'" -> Seq("glass.json", "opaque")
+    s"--world '$high' --blocks '$seeThrough'" -> Seq("glass.json:1: ", "opaque"),
+    s"--world '$high' --blocks '$noBlocks'" -> Seq("empty.json:1: ", "no blocks"),
+    s"--world '$cubes' --blocks '$allClear'" -> Seq("clear.json", "opaque"),
+    s"--world '$high' --blocks '$twice'" -> Seq("twice.json:2: ", "'name' comes twice"),
+    s"--world '$hollow'" -> Seq("hollow.vox", "no voxels"),
+    s"--world '$sizeOnly'" -> Seq("size.vox", "XYZI"),
+    s"--world '$wideVox' --world-size 8x8x8" -> Seq(
+      "wide.vox",
+      "40x2x2",
+      "8x8x8",
+      "--world-size 64x4x4",
+      "--crop x,y,z"
+    ),
+    s"--world '$wideVox' --crop 1,2" -> Seq("--crop", "'1,2'"),
+    s"--world '$wideVox' --crop 0,2,0" -> Seq("--crop 0,2,0", "40x2x2"),
+    s"--world '$high' --crop 0,0,0" -> Seq("--crop", ".vox"),
+    "--opaque" -> Seq("--opaque", ".vox"),
+    "--size 48x16" -> Seq("--size 48x16", "15.0 pixels", "--engine pipeline")
   )
 
   for ((line, fragments) <- table) test(s"refused: ${line.replace(inputs.toString, "")}") {
@@ -103,6 +135,34 @@ class VoxelCommandTest extends AnyFunSuite {
     val report = ujson.read(Files.readString(out.resolve("voxel.json")))
     assert(report("frames").num == 2 && report("rays").num == 2 * 32 * 24 && report("blocksWrong").num == 0)
     assert(report("steps").num < report("plainSteps").num && !report.obj.contains("clocksPerFrame"))
+  }
+
+  test("a scene of MagicaVoxel: notices on stderr, one a kind, and the blocks of the board where a board is told") {
+    val out = Files.createTempDirectory("voxel-vox")
+    def draw(more: String*) = CommandRunner.run(
+      Seq(
+        "voxel",
+        "--engine",
+        "model",
+        "--size",
+        "32x24",
+        "--world-size",
+        "16x16x8",
+        "--world",
+        cubes,
+        "--out",
+        out.resolve("p.png").toString
+      ) ++ more: _*
+    )
+    val plain = draw()
+    assert(plain.code == 0 && plain.err.isEmpty, plain)
+    val cut = draw("--crop", "2,0,0")
+    assert(
+      cut.code == 0 && cut.err.length == 1 && cut.err.head.startsWith("notice: ") && cut.err.head.endsWith("(18)"),
+      cut
+    )
+    val board = draw("--serial", out.resolve("w.bin").toString)
+    assert(board.code == 0 && board.err.length == 1 && board.err.head.contains("nearest of 24 blocks"), board)
   }
 
   test("--serial: a command for each word, then the camera, each with a sum of 0") {

@@ -52,6 +52,33 @@ class ConsolePadTest extends AnyFunSuite {
     }
   }
 
+  test("pads with pressures, joysticks and a wheel: the whole answer is fetched, buttons and sticks count (seed 4)") {
+    session(4) { (pad, ask, random) =>
+      for (i <- 0 until 16; (id, rest, moves) <- Seq((0x79, 12, true), (0x53, 0, true), (0xe3, 0, false))) {
+        val held = if (i < 8) Seq.fill(16)(random.nextBoolean()) else Seq.tabulate(16)(_ == 2 * i - 16)
+        val sticks = Seq.fill(4)(random.nextInt(255))
+        pad.answer = bytes(id, held, sticks) ++ Seq.fill(rest)(random.nextInt(256))
+        assert(ask() == ((true, held, if (moves) sticks else this.rest._3)), f"id 0x$id%02x")
+        assert(pad.asked == Seq(0x01, 0x42).padTo(pad.due, 0), f"id 0x$id%02x")
+      }
+    }
+  }
+
+  test("a pad with pressures that goes away before its sticks are through is at rest; later its sticks still count") {
+    session(5) { (pad, ask, _) =>
+      val (held, sticks) = (Seq.tabulate(16)(_ % 3 == 0), Seq(9, 8, 7, 6))
+      val whole = bytes(0x79, held, sticks) ++ Seq.fill(12)(80)
+      for (n <- 1 to 4) {
+        pad.answer = whole.take(n)
+        assert(ask() == rest, s"after $n bytes")
+      }
+      for (n <- 8 to 20) {
+        pad.answer = whole.take(n)
+        assert(ask() == ((true, held, sticks)), s"after $n bytes")
+      }
+    }
+  }
+
   test(
     "the wires: 01 42 and zeros, five bytes for a digital pad and nine for sticks, SCK at 83 kHz at most",
     Simulated
@@ -75,6 +102,8 @@ class ConsolePadTest extends AnyFunSuite {
       val wrong = Seq(
         Nil,
         good.updated(0, 0x23),
+        good.updated(0, 0xf3),
+        good.updated(0, 0x12),
         good.updated(0, 0xff),
         good.updated(0, 0),
         good.updated(1, 0),

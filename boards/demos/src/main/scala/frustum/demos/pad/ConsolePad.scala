@@ -13,13 +13,15 @@ case class ConsolePadPins() extends Bundle with IMasterSlave {
   override def asMaster(): Unit = { out(att, sck, cmd); in(dat) }
 }
 
-/** Asks a console's pad, digital (id 0x41) or with sticks (0x73), what is held: SPI mode 3, least significant bit
-  * first, bytes 01 42 00 ..., of which the pad answers the second with its id, the third with 5A, then two of buttons
-  * and, with sticks, four of those.
+/** Asks a console's pad what is held: SPI mode 3, least significant bit first, bytes 01 42 00 ..., of which the pad
+  * answers the second with its id, the third with 5A, then as many pairs of bytes as the id's low digit says (nocash,
+  * PSX specifications). The first pair is buttons, the next two are sticks where the id is one of
+  * [[ConsolePad.Sticks]]; all pairs are fetched, and the others ignored.
   *
-  * An answer counts when it is whole: without a pad, with another id or when the pad goes away meanwhile, the state is
-  * at rest. A pad that goes away leaves ones; four sticks at 255 at once are taken for that. A question takes some 1.1
-  * ms with sticks at 83 kHz: nine bytes, and [[ConsolePad.PauseMicros]] before each.
+  * An answer counts when it is whole: without a pad, with an id that is none of [[ConsolePad.Ids]] or when the pad
+  * goes away meanwhile, the state is at rest. A pad that goes away leaves ones; four bytes of 255 after the buttons
+  * are taken for that. A question takes some 1.1 ms with sticks at 83 kHz, nine bytes and [[ConsolePad.PauseMicros]]
+  * before each, and 2.5 ms with pressures, 21 bytes.
   *
   * @param clockHz core clock
   * @param sckHz   at most; pads take some 250 kHz
@@ -45,12 +47,14 @@ case class ConsolePad(clockHz: Long, sckHz: Int = 83333) extends Component {
   // The answer to byte n is answer(n); that to the first means nothing.
   val answer = Vec.fill(ConsolePad.Bytes)(Reg(Bits(8 bits)))
   val busy = RegInit(False)
-  val index = Reg(UInt(4 bits)) // byte to send
-  val arrived = Reg(UInt(4 bits)) // bytes answered
+  val index = Reg(UInt(5 bits)) // byte to send
+  val arrived = Reg(UInt(5 bits)) // bytes answered
   val waiting = Reg(UInt(log2Up(pause + 1) bits)) // before the next byte
   val id = answer(1)
-  val sticks = id === ConsolePad.Analogue
-  val last = Mux(sticks, U(ConsolePad.Bytes, 4 bits), U(ConsolePad.DigitalBytes, 4 bits))
+  val known = ConsolePad.Ids.map(id === _).orR
+  val sticks = ConsolePad.Sticks.map(id === _).orR
+  val pairs = Mux(known, id(3 downto 0).asUInt, U(1, 4 bits))
+  val last = (pairs @@ False).resize(5) + ConsolePad.HeaderBytes
   val ended = busy && waiting === 0 && index === last && index > 1
 
   spi.io.cmd.valid := busy && waiting === 0 && !ended
@@ -76,12 +80,12 @@ case class ConsolePad(clockHz: Long, sckHz: Int = 83333) extends Component {
     waiting := pause
   }
   when(spi.io.rsp.valid) {
-    answer(arrived.resized) := spi.io.rsp.payload.reversed
+    when(arrived < ConsolePad.Bytes)(answer(arrived.resized) := spi.io.rsp.payload.reversed)
     arrived := arrived + 1
   }
 
-  val gone = sticks && answer.drop(5).map(_.andR).andR
-  val whole = (sticks || id === ConsolePad.Digital) && answer(2) === ConsolePad.Ready && !gone
+  val gone = pairs =/= 1 && answer.drop(5).map(_.andR).andR
+  val whole = known && answer(2) === ConsolePad.Ready && !gone
   val state = Reg(PadState())
   state.connected init False
   state.buttons.foreach(_ init False)
@@ -102,9 +106,24 @@ case class ConsolePad(clockHz: Long, sckHz: Int = 83333) extends Component {
 object ConsolePad {
   val Digital = 0x41
   val Analogue = 0x73
+
+  /** Two sticks, and how hard each button is pressed. */
+  val Pressure = 0x79
+
+  /** A pair of joysticks, whose axes come in the order of sticks. */
+  val Joystick = 0x53
+
+  /** Buttons and a wheel, which is ignored. */
+  val Wheel = 0xe3
+
+  val Sticks = Seq(Analogue, Pressure, Joystick)
+  val Ids = Sticks ++ Seq(Digital, Wheel)
   val Ready = 0x5a
 
-  val DigitalBytes = 5
+  /** Before the pairs. */
+  val HeaderBytes = 3
+
+  /** Of an answer, up to its sticks. */
   val Bytes = 9
 
   /** Pause before each byte, which the pad's processor needs. */

@@ -3,39 +3,75 @@ package frustum.contract.video
 /** A command of a display controller with its parameters. */
 final case class PanelCommand(code: Int, parameters: Int*)
 
-/** A serial display of 240 x 320 pixels, driven in 16-bit colour (RGB565).
+/** A serial display in 16-bit colour (RGB565): a controller with a memory of 240 x 320 pixels, and a glass that shows
+  * a part of it.
   *
-  * @param start what to send after reset, in order; the first is "sleep out", after which the panel wants to be left
-  *              alone for [[Panel.SettleMs]], as it does after reset
-  * @param portrait,landscape parameter of the memory access control command that makes rows run across the screen
-  *              as it is held: upright, or turned a quarter clockwise
+  * @param mirrored   the glass is wired right to left
+  * @param blueFirst  order of its colour filter
+  * @param inverted   it wants inverted data
+  * @param glass      what of the memory is seen
+  * @param selectPin  whether the module has a chip select; without one SCK must rest high (SPI mode 3)
+  * @param turned     quarter turns, clockwise, by which the module is mounted
   */
-sealed abstract class Panel(
-    val name: String,
-    val portrait: Int,
-    val landscape: Int,
-    val extra: Seq[PanelCommand]
+final case class Panel(
+    name: String,
+    mirrored: Boolean,
+    blueFirst: Boolean,
+    inverted: Boolean,
+    glass: PanelGlass = PanelGlass(0, 0, Panel.ShortSide, Panel.LongSide),
+    selectPin: Boolean = true,
+    turned: Int = 0
 ) {
+  require(turned >= 0 && turned < 4, s"$name: turned by $turned quarters; 0 to 3")
+  import Panel._
 
-  /** Whether a screen of this size is shown in landscape; it starts at the panel's top left corner. */
-  def isLandscape(config: ScreenTiles): Boolean = {
-    import config.{height, width}
-    require(
-      width.min(height) <= Panel.ShortSide && width.max(height) <= Panel.LongSide,
-      s"$name: a screen of $width x $height does not fit ${Panel.ShortSide} x ${Panel.LongSide} either way"
-    )
-    width > Panel.ShortSide
+  /** The same module mounted `quarters` further, clockwise. */
+  def turnedBy(quarters: Int): Panel =
+    copy(name = s"$name-turned${if (quarters == 2) "" else s"-$quarters"}", turned = (turned + quarters) & 3)
+
+  /** Why a screen of this size cannot be shown, or None. */
+  def fault(width: Int, height: Int): Option[String] = Option.unless(
+    width.min(height) <= glass.width.min(glass.height) && width.max(height) <= glass.width.max(glass.height)
+  )(s"$name: a screen of $width x $height does not fit ${glass.width} x ${glass.height} either way")
+
+  /** Quarters, clockwise, by which the picture is turned on the glass: as mounted, or one more if it fits only so. */
+  private def quarters(config: ScreenTiles): Int = {
+    fault(config.width, config.height).foreach(f => throw new IllegalArgumentException(f))
+    val (across, down) = if (turned % 2 == 0) (glass.width, glass.height) else (glass.height, glass.width)
+    if (config.width <= across && config.height <= down) turned else (turned + 1) & 3
   }
 
+  /** Memory access control: which way rows run through the memory. */
+  private def access(config: ScreenTiles): Int =
+    Quarters(quarters(config)) ^ (if (mirrored) MirrorX else 0) | (if (blueFirst) Bgr else 0)
+
+  /** Column and row, as the controller counts them, of the screen's top left pixel, which is the glass's corner. */
+  def origin(config: ScreenTiles): (Int, Int) = {
+    // Glass wired right to left shows the memory's columns from the other end.
+    val left = if (mirrored) ShortSide - glass.x - glass.width else glass.x
+    val bits = access(config)
+    val column = if ((bits & MirrorX) != 0) ShortSide - left - glass.width else left
+    val row = if ((bits & MirrorY) != 0) LongSide - glass.y - glass.height else glass.y
+    if ((bits & Exchange) != 0) (row, column) else (column, row)
+  }
+
+  /** What to send after reset, in order; the first is "sleep out", after which the panel wants to be left alone for
+    * [[Panel.SettleMs]], as it does after reset.
+    */
   def start(config: ScreenTiles): Seq[PanelCommand] =
     Seq(
-      PanelCommand(Panel.SleepOut),
-      PanelCommand(Panel.PixelFormat, 0x55),
-      PanelCommand(Panel.MemoryAccess, if (isLandscape(config)) landscape else portrait)
-    ) ++ extra :+ PanelCommand(Panel.DisplayOn)
+      PanelCommand(SleepOut),
+      PanelCommand(PixelFormat, 0x55),
+      PanelCommand(MemoryAccess, access(config))
+    ) ++ Option.when(inverted)(PanelCommand(InversionOn)) :+ PanelCommand(DisplayOn)
 }
 
+/** The part of a controller's memory that a glass shows, held upright: its first column and row, and its size. */
+final case class PanelGlass(x: Int, y: Int, width: Int, height: Int)
+
 object Panel {
+
+  /** Of the controllers' memories. */
   val ShortSide = 240
   val LongSide = 320
 
@@ -47,6 +83,9 @@ object Panel {
   val MirrorX = 0x40
   val Exchange = 0x20
   val Bgr = 0x08
+
+  /** Memory access control for a picture turned by 0 to 3 quarters clockwise, on glass wired left to right. */
+  private val Quarters = Seq(0, Exchange | MirrorX, MirrorX | MirrorY, Exchange | MirrorY)
 
   val SleepOut = 0x11
   val NormalMode = 0x13
@@ -61,11 +100,25 @@ object Panel {
   val PixelFormat = 0x3a
 
   /** Ilitek ILI9341: glass wired right to left, colour filter blue first. Its data sheet allows 10 MHz of SCK. */
-  case object Ili9341 extends Panel("ili9341", portrait = MirrorX | Bgr, landscape = Exchange | Bgr, extra = Nil)
+  val Ili9341: Panel = Panel("ili9341", mirrored = true, blueFirst = true, inverted = false)
 
   /** Sitronix ST7789 on an IPS glass, which wants inverted data. Its data sheet allows 62.5 MHz of SCK. */
-  case object St7789
-      extends Panel("st7789", portrait = 0, landscape = Exchange | MirrorX, extra = Seq(PanelCommand(InversionOn)))
+  val St7789: Panel = Panel("st7789", mirrored = false, blueFirst = false, inverted = true)
 
-  def all: Seq[Panel] = Seq(Ili9341, St7789)
+  /** Modules of 1.3 inches with seven pins: no chip select, the first 240 rows of the memory. */
+  val St7789Square: Panel =
+    St7789.copy(name = "st7789-240x240", glass = PanelGlass(0, 0, 240, 240), selectPin = false)
+
+  /** The same mounted upside down: what is seen begins at row 80. */
+  val St7789SquareTurned: Panel = St7789Square.turnedBy(2)
+
+  /** 1.69 inches: 20 rows are hidden at either end. */
+  val St7789Round: Panel = St7789.copy(name = "st7789-240x280", glass = PanelGlass(0, 20, 240, 280))
+
+  /** 1.14 inches: 52 columns are hidden on one side and 53 on the other, 40 rows at either end. */
+  val St7789Small: Panel = St7789.copy(name = "st7789-135x240", glass = PanelGlass(52, 40, 135, 240))
+
+  /** Those that show the whole memory. */
+  val whole: Seq[Panel] = Seq(Ili9341, St7789)
+  val all: Seq[Panel] = whole ++ Seq(St7789Square, St7789SquareTurned, St7789Round, St7789Small)
 }
