@@ -11,7 +11,8 @@ class JsonFileTest extends AnyFunSuite {
   private def refused(text: String): String = intercept[InputError](read(text)).message
 
   test("values are those of the library") {
-    val text = """{"a": [1, 2.5e3, -7, "x\u00e9\n", true, false, null, {}, []], "b": {"c": {"d": [[1], [2]]}}}"""
+    val escaped = "\"x\\u00e9\\n\""
+    val text = s"""{"a": [1, 2.5e3, -7, $escaped, true, false, null, {}, []], "b": {"c": {"d": [[1], [2]]}}}"""
     assert(read(text).root == ujson.read(text))
   }
 
