@@ -45,32 +45,36 @@ class IndependenceTest extends AnyFunSuite {
     }
   }
 
-  /** Methods of the driver's vectors that the compiled referee calls. */
-  private def vectorCalls: Set[String] = {
-    val calls = mutable.Set.empty[String]
+  /** Methods of classes that begin with `owner` which the compiled code of a folder calls. */
+  private def calls(folder: String, owner: String): Set[String] = {
+    val found = mutable.Set.empty[String]
     val compiled =
-      Paths.get(classOf[Vec].getProtectionDomain.getCodeSource.getLocation.toURI).resolve("frustum/referee")
+      Paths.get(classOf[Vec].getProtectionDomain.getCodeSource.getLocation.toURI).resolve(s"frustum/$folder")
     val method = new MethodVisitor(Opcodes.ASM9) {
-      override def visitMethodInsn(op: Int, owner: String, name: String, signature: String, own: Boolean): Unit =
-        if (owner.startsWith("frustum/driver/linear/")) calls += name
+      override def visitMethodInsn(op: Int, of: String, name: String, signature: String, own: Boolean): Unit =
+        if (of.startsWith(owner)) found += name
     }
     val visitor = new ClassVisitor(Opcodes.ASM9) {
       override def visitMethod(a: Int, name: String, d: String, s: String, e: Array[String]): MethodVisitor = method
     }
     for (file <- Files.list(compiled).iterator.asScala if file.toString.endsWith(".class"))
       new ClassReader(Files.readAllBytes(file)).accept(visitor, 0)
-    calls.toSet
+    found.toSet
   }
 
   test("of the input's vectors the referee takes the coordinates, and nothing of their arithmetic") {
-    assert(vectorCalls == Set("x", "y", "z"))
+    assert(calls("referee", "frustum/driver/linear/") == Set("x", "y", "z"))
   }
 
-  test("the references of rays and voxels import nothing of the driver or the models") {
+  test("the references of rays and voxels import nothing of the driver or the models but what was asked for") {
     for (
       folder <- Seq("reference/ray", "reference/voxel"); file <- sources(folder);
-      line <- Files.readAllLines(file).asScala
+      line <- Files.readAllLines(file).asScala if line.trim != "import frustum.driver.voxel.VoxelView"
     )
       assert(!line.matches(".*frustum\\.(driver|model|engine).*"), s"$file: $line")
+  }
+
+  test("of a view the reference takes what the user gave, and nothing that the driver made of it") {
+    assert(calls("reference/voxel", "frustum/driver/") == Set("eye", "yaw", "pitch", "focal", "asked"))
   }
 }
