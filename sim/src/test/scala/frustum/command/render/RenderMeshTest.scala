@@ -285,11 +285,12 @@ class RenderMeshTest extends AnyFunSuite {
       }
   }
 
-  private val ngon = Words.split("--ortho 5.5 --eye 0,0,5 --at 0,0,0 --near 1 --far 10 --size 240x320")
+  /** The middle of what 240 x 320 pixels show of 5.5 units. */
+  private val ngon = Words.split("--ortho 2.2 --eye 0,0,5 --at 0,0,0 --near 1 --far 10 --size 128x128")
 
-  /** Pixels of 240 x 320 whose centres lie in a polygon by the even-odd rule, 5.5 units being 320 pixels. */
-  private def evenOdd(p: Seq[(Double, Double)]): Int = (for (row <- 0 until 320; column <- 0 until 240) yield {
-    val (x, y) = ((column + 0.5 - 120) * 5.5 / 320, (160 - row - 0.5) * 5.5 / 320)
+  /** Pixels of 128 x 128 whose centres lie in a polygon by the even-odd rule, 2.2 units being 128 pixels. */
+  private def evenOdd(p: Seq[(Double, Double)]): Int = (for (row <- 0 until 128; column <- 0 until 128) yield {
+    val (x, y) = ((column + 0.5 - 64) * 2.2 / 128, (64 - row - 0.5) * 2.2 / 128)
     p.zip(p.tail :+ p.head).count { case ((ax, ay), (bx, by)) =>
       (ay > y) != (by > y) && x < ax + (y - ay) / (by - ay) * (bx - ax)
     } % 2
@@ -301,7 +302,10 @@ class RenderMeshTest extends AnyFunSuite {
     val comb = ((-10, -10) +: (10, -10) +: (10, -6) +: teeth.dropRight(1) :+ ((-10, 10))).map { case (x, y) =>
       (x / 10.0, y / 10.0)
     }
-    for ((corners, turned) <- Seq(doubled, comb).flatMap(c => c.indices.map(i => c -> (c.drop(i) ++ c.take(i))))) {
+    // TriangulationTest begins at every corner of the comb
+    val starts = Seq(doubled -> 1, comb -> 4)
+    for ((corners, every) <- starts; first <- corners.indices by every) {
+      val turned = corners.drop(first) ++ corners.take(first)
       val mesh = turned.map { case (x, y) =>
         s"v $x $y 0\n"
       }.mkString + s"f ${turned.indices.map(_ + 1).mkString(" ")}\n"
