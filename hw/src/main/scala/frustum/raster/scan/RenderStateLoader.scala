@@ -42,7 +42,7 @@ case class RenderStateLoader(config: RasterConfig, stored: StoredStateLayout = S
     val words = layout.stateWords
     val word = (words > 1) generate Reg(UInt(log2Up(words) bits))
     def isWord(n: Int) = if (words > 1) word === n else True
-    val asking = RegInit(False) // until the last answer
+    val asking = RegInit(False) // a load is in progress, until the last answer
     val start = up.valid && !right && !io.busy && !asking
     val answer = asking && io.store.rsp.valid
     io.store.cmd.valid := RegInit(False) setWhen (start || answer && !isWord(words - 1)) clearWhen io.store.cmd.fire

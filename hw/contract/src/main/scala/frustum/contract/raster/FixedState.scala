@@ -93,7 +93,7 @@ object FixedState {
   def fields(values: (String, Int)*): FixedState =
     FixedState(values.map { case (name, value) => name -> FixedBits(RenderStateLayout(name).ones, value) }.toMap)
 
-  /** What these states agree in. */
+  /** The bits that are equal in these states. */
   def of(states: RenderState*): FixedState = {
     require(states.nonEmpty, "FixedState: of no states")
     val words = states.map(_.words)
