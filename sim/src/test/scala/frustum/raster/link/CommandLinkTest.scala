@@ -4,23 +4,32 @@ import frustum.contract.raster.{
   Combine,
   Command,
   FixedState,
+  PackedTriangle,
+  PackedVertex,
   RasterConfig,
   RenderState,
   StoreLayout,
   TexelFormat,
   TextureRef,
+  TriangleLayout,
+  VertexLayout,
   VertexRanges
 }
 import frustum.harness.{FrustumSim, Simulated}
 import frustum.model.raster.link.{CommandDecoder => DecoderModel, Job, LinkCounters, LinkModel}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
+import spinal.lib.sim.StreamDriver
 
 import scala.util.Random
 
 class CommandLinkTest extends AnyFunSuite with Simulated {
   private val small = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
   private lazy val compiled = FrustumSim.compile("CommandLink_small")(CommandLinkTop(small, dropWhenFull = false))
+
+  private val usual = RasterConfig()
+  private lazy val compiledUsual =
+    FrustumSim.compile("CommandLink_default")(CommandLinkTop(usual, dropWhenFull = false))
 
   private def run(
       sim: SimCompiled[CommandLinkTop],
@@ -66,9 +75,7 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
     }
 
   test("and for the default sizes") {
-    val config = RasterConfig()
-    val sim = FrustumSim.compile("CommandLink_default")(CommandLinkTop(config, dropWhenFull = false))
-    run(sim, config, traffic(config, 4, 6), 4, 0.1)
+    run(compiledUsual, usual, traffic(usual, 4, 6), 4, 0.1)
   }
 
   test("and for hardware that cannot blend, clamp or write other than RGB565: states that ask for it are refused") {
@@ -121,6 +128,47 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
       assert(got.takeRight(2) == Seq((Command.Begin.opcode, Seq(8, 0, 0, 0)), (Command.Draw.opcode, Seq(0, 0))))
     }
     run(compiled, small, spoilt.flatMap(_ ++ after), 5, 0.0)
+  }
+
+  /** Cycles from the first byte of a frame of these commands until its job, with no stall but the link's own. */
+  private def cycles(commands: Seq[(Command, Seq[Int])]): Int = {
+    val traffic = new LinkTraffic(usual, new Random(1))
+    val vertices = commands.filter(_._1 == Command.Vertices).map(c => (c._2.length - 1) / VertexLayout.words).sum
+    val triangles = commands.filter(_._1 == Command.Triangles).map(c => (c._2.length - 1) / TriangleLayout.words).sum
+    val whole = Seq(0, 0, usual.tilesX - 1, usual.tilesY - 1)
+    val frame =
+      (Command.Begin -> Seq(1, 0, whole(2), whole(3))) +: commands :+ (Command.Draw -> Seq(vertices, triangles))
+    var count = 0
+    compiledUsual.doSim("cycles", 1) { dut =>
+      dut.io.rival.cmd.valid #= false
+      dut.io.rival.cmd.write #= false
+      dut.io.texels.ready #= true
+      dut.io.job.ready #= false
+      dut.io.jobDone #= false
+      val bytes = collection.mutable.Queue(traffic.bytes(frame, errors = false): _*)
+      StreamDriver(dut.io.bytes, dut.clockDomain) { byte =>
+        bytes.nonEmpty && { byte #= bytes.dequeue(); true }
+      }.transactionDelay = () => 0
+      SimTimeout(10L * 200000)
+      dut.clockDomain.forkStimulus(period = 10)
+      dut.clockDomain.waitSamplingWhere { count += 1; dut.io.job.valid.toBoolean }
+      assert(dut.io.job.triangleCount.toInt == triangles && dut.io.status.accepted.toInt == commands.length + 1)
+    }
+    count
+  }
+
+  test("a vertex takes 31 cycles and a triangle 55, as docs/architecture.md has it") {
+    val corners = Seq((0, 0), (800, 0), (0, 800)).map { case (x, y) =>
+      PackedVertex(x, y, 0, 32768, 16, 0, 0, 0, 0, 0, 0).words
+    }
+    def vertices(count: Int) = Command.Vertices -> (0 +: Seq.tabulate(count)(n => corners(n % 3)).flatten)
+    val triangles = Command.Triangles -> (0 +: Seq.fill(59)(PackedTriangle(0, 0, 1, 2).words).flatten)
+    // Full commands in a row, so that the next one is received while one is executed.
+    def perCommand(command: (Command, Seq[Int])) =
+      (cycles(vertices(3) +: Seq.fill(10)(command)) - cycles(vertices(3) +: Seq.fill(2)(command))) / 8.0
+    val (vertex, triangle) = (perCommand(vertices(11)) / 11, perCommand(triangles) / 59)
+    info(f"$vertex%.1f cycles per vertex, $triangle%.1f per triangle")
+    assert((vertex - 31).abs < 1 && (triangle - 55).abs < 1)
   }
 
   // The tables of the contract are in model and hardware alike; these words are docs/commands.md's, by hand.
