@@ -4,7 +4,7 @@ import java.nio.file.{Files, Path, Paths}
 import org.scalatest.funsuite.AnyFunSuite
 import scala.jdk.CollectionConverters._
 
-/** The arrows between packages, read from the sources: imports, and names written out whole. */
+/** The arrows between packages, read from the sources (imports, and names written out whole), and the size of files. */
 class LayoutTest extends AnyFunSuite {
 
   /** `from` names something of `to`, in `file`. */
@@ -77,6 +77,21 @@ class LayoutTest extends AnyFunSuite {
 
   test("no file of hw is longer than 220 lines") {
     val long = sources.filter(_._1.startsWith("hw")).map(s => s._1 -> Files.readAllLines(s._1).size).filter(_._2 > 220)
+    assert(long.isEmpty)
+  }
+
+  test("no line of a Scala file has more than 120 columns") {
+    val folders = projects.flatMap(project => Seq(s"$project/src/main/scala", s"$project/src/test/scala"))
+    val files = for {
+      folder <- folders.map(Paths.get(_)) if Files.exists(folder)
+      file <- Files.walk(folder).iterator.asScala if file.toString.endsWith(".scala")
+    } yield file
+    assert(files.exists(_.startsWith("sim/src/test")) && files.size > 500)
+    val long = for {
+      file <- files
+      (line, n) <- Files.readAllLines(file).asScala.zipWithIndex
+      if line.codePointCount(0, line.length) > 120
+    } yield s"$file:${n + 1}"
     assert(long.isEmpty)
   }
 }

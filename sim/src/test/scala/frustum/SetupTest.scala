@@ -8,7 +8,8 @@ class SetupTest extends AnyFunSuite {
   private def wants(line: String, path: String = "/nonexistent"): String = {
     val script =
       s"""set -u; . project/setup.sh; install() { echo "$$*"; }; command() { PATH='$path' builtin command "$$@"; }
-      |python3() { return 1; }; ldconfig() { :; }; grep() { return 1; }; id() { echo 0; }; prepare '$line'""".stripMargin
+         |python3() { return 1; }; ldconfig() { :; }; grep() { return 1; }; id() { echo 0; }
+         |prepare '$line'""".stripMargin
     Seq("bash", "-c", script).!!.trim
   }
 

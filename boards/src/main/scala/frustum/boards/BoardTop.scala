@@ -10,7 +10,7 @@ final case class BoardClock(net: String, mhz: BigDecimal, source: String)
   *
   * @param constraints pin file, relative to the root of the project
   * @param core        the clock the figures are quoted for
-  * @param otherClocks every other clock of the design: what the flow does not find here has no constraint, an error
+  * @param otherClocks every other clock of the design: a clock that the flow does not find here is an error
   */
 final case class BoardTop(
     name: String,
@@ -23,7 +23,7 @@ final case class BoardTop(
   def targetMHz: BigDecimal = core.mhz
   def clocks: Seq[BoardClock] = core +: otherClocks
 
-  /** Verilog in one file `<name>.v`, memory contents inline, so that the file is all a tool needs. */
+  /** Verilog in one file `<name>.v`, memory contents inline, so that a tool needs this file only. */
   def spinalConfig(directory: String): SpinalConfig = SpinalConfig(
     targetDirectory = directory,
     netlistFileName = s"$name.v",

@@ -4,8 +4,8 @@ import frustum.contract.arithmetic.FunctionTable
 import frustum.device.Tech
 import spinal.core._
 
-/** y = f(x) of 16 bits each, one a clock, latency `FunctionUnit.Latency`: two memories of 256 x 16 and one multiplier,
-  * which adds the line's step to its base. Error: see [[frustum.contract.arithmetic.FunctionTable]].
+/** y = f(x) of 16 bits each, one per cycle, latency `FunctionUnit.Latency`: two memories of 256 x 16 and one
+  * multiplier, which adds the line's step to its base. Error: see [[frustum.contract.arithmetic.FunctionTable]].
   */
 case class FunctionUnit(table: FunctionTable, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {

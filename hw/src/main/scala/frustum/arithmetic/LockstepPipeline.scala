@@ -3,9 +3,9 @@ package frustum.arithmetic
 import spinal.core._
 import spinal.lib.misc.pipeline._
 
-/** A row of pipeline nodes that all move on the same `enable` (the last node's ready), so that memories and
-  * multipliers with a single enable can stand between them. Bubbles do not collapse: what takes its output
-  * must not wait for valid before it gives ready.
+/** A row of pipeline nodes that all move on the same `enable` (the last node's ready), so that memories and multipliers
+  * with a single enable can be between them. Bubbles do not collapse: the receiver must not wait for valid before it
+  * gives ready.
   *
   * @param stages
   *   register stages, one less than there are nodes

@@ -2,10 +2,10 @@ package frustum.arithmetic
 
 import spinal.core._
 
-/** What went in `clocks` before, from a small memory in place of registers; until then 0. */
+/** The input of `clocks` cycles before, from a small memory in place of registers; until then 0. */
 object MemoryDelay {
   def apply[T <: Data](that: T, clocks: Int): T = {
-    require(clocks >= 2, s"MemoryDelay: $clocks clocks, at least 2")
+    require(clocks >= 2, s"MemoryDelay: $clocks cycles, at least 2")
     new Composite(that, "delayed") {
       private val bits = log2Up(clocks + 1)
       val memory = Mem(Bits(that.getBitsWidth bits), 1 << bits).initBigInt(Seq.fill(1 << bits)(BigInt(0)))

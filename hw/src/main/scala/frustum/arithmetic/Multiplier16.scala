@@ -3,9 +3,8 @@ package frustum.arithmetic
 import frustum.device.{Mac16, Tech}
 import spinal.core._
 
-/** 16 x 16 -> 32 bit product, exact, latency two clocks of `enable`: operands are registered, then the
-  * product. While `enable` is low both stages hold, so it stalls with a pipeline. On iCE40 it is one
-  * SB_MAC16.
+/** 16 x 16 -> 32 bit product, exact, latency two cycles of `enable`: operands are registered, then the product. While
+  * `enable` is low both stages hold, so it stalls with a pipeline. On iCE40 it is one SB_MAC16.
   *
   * @param signedA,signedB
   *   whether that operand is two's complement; the product is, if either operand is

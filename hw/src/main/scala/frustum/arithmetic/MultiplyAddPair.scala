@@ -3,8 +3,8 @@ package frustum.arithmetic
 import frustum.device.{Mac16, Tech}
 import spinal.core._
 
-/** Two of addend + a * b modulo 2^16, with a signed and b unsigned, 8 bits each; latency one clock, one a clock. On iCE40
-  * it is one SB_MAC16, whose result leaves it without a register.
+/** Two of addend + a * b modulo 2^16, with a signed and b unsigned, 8 bits each; latency one cycle, one per cycle. On
+  * iCE40 it is one SB_MAC16, whose result is not registered.
   */
 case class MultiplyAddPair(tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {

@@ -3,8 +3,8 @@ package frustum.arithmetic
 import frustum.contract.arithmetic.ReciprocalTable
 import spinal.core._
 
-/** A line of [[frustum.contract.arithmetic.ReciprocalTable]], for a multiplier that adds: with x the 12 bits of f below the line's
-  * index,
+/** A line of [[frustum.contract.arithmetic.ReciprocalTable]], for a multiplier that adds: with x the 12 bits of f below
+  * the line's index,
   * {{{r = 2 f / (1 + f) = (slope x + base 2^13) / 2^16     in units of 2^-16}}}
   */
 case class ReciprocalLine() extends Bundle {
@@ -23,7 +23,7 @@ object ReciprocalLine {
   /** f: the line's index and x. */
   private val FBits = ReciprocalTable.IndexBits + ReciprocalTable.FractionBits
 
-  /** x of f, 20 bits, as a multiplier takes it. */
+  /** x of f, 20 bits, as an operand of a multiplier. */
   def fraction(f: UInt): Bits = f(ReciprocalTable.FractionBits - 1 downto 0).asBits.resize(16)
 
   /** r, 16 bits, from the product of `factor` and `fraction` with `addend` added. */
@@ -33,7 +33,7 @@ object ReciprocalLine {
   def read(f: UInt, enable: Bool = True): ReciprocalLine = {
     require(f.getWidth == FBits, s"ReciprocalLine: f of ${f.getWidth} bits, not $FBits")
     val lines = Mem(Bits(32 bits), ReciprocalTable.lines.map(B(_, 32 bits)))
-    lines.addAttribute("ram_style", "block") // small enough that tools would make five levels of logic of it
+    lines.addAttribute("ram_style", "block") // otherwise tools make five levels of logic of a memory of this size
     lines.readSync(f(FBits - 1 downto ReciprocalTable.FractionBits), enable).as(ReciprocalLine())
   }
 }

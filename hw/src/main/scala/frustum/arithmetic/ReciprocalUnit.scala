@@ -3,8 +3,8 @@ package frustum.arithmetic
 import frustum.device.Tech
 import spinal.core._
 
-/** r = 2 f / (1 + f) of [[frustum.contract.arithmetic.ReciprocalTable]], by which 1 / (1 + f) = 1 - r / 2: one a cycle of `enable`,
-  * latency [[ReciprocalUnit.Latency]], one multiplier and a memory of 256 x 32.
+/** r = 2 f / (1 + f) of [[frustum.contract.arithmetic.ReciprocalTable]], by which 1 / (1 + f) = 1 - r / 2: one per
+  * cycle of `enable`, latency [[ReciprocalUnit.Latency]], one multiplier and a memory of 256 x 32.
   */
 case class ReciprocalUnit(tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {

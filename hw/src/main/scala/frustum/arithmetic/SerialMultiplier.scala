@@ -3,8 +3,9 @@ package frustum.arithmetic
 import spinal.core._
 import spinal.lib._
 
-/** a b of two's complement numbers, exact, by adding and shifting: for what has time and no multiplier. `start` takes the operands, which must
-  * hold until `done` pulses, as many clocks later as b has bits; the product then holds until the next start.
+/** a b of two's complement numbers, exact, by adding and shifting, without a multiplier. `start` takes the operands,
+  * which must hold until `done` pulses, as many cycles later as b has bits; the product then holds until the next
+  * start.
   */
 case class SerialMultiplier(widthA: Int, widthB: Int) extends Component {
   val io = new Bundle {
@@ -17,7 +18,7 @@ case class SerialMultiplier(widthA: Int, widthB: Int) extends Component {
   val busy = RegInit(False)
   val bit = Counter(widthB)
   val high = Reg(SInt(widthA bits))
-  val low = Reg(UInt(widthB bits)) // bits of the product from the top, of b still to come at the bottom
+  val low = Reg(UInt(widthB bits)) // bits of the product from the top, remaining bits of b at the bottom
   val last = bit === widthB - 1
   val sum = SInt(widthA + 1 bits)
   sum := high.resized

@@ -4,7 +4,9 @@ import frustum.contract.arithmetic.SineTable
 import spinal.core._
 import spinal.lib._
 
-/** Sine of an angle in 1/1024 turns, 16 fraction bits, latency [[SineLookup.Latency]] cycles; see [[frustum.contract.arithmetic.SineTable]]. */
+/** Sine of an angle in 1/1024 turns, 16 fraction bits, latency [[SineLookup.Latency]] cycles; see
+  * [[frustum.contract.arithmetic.SineTable]].
+  */
 case class SineLookup() extends Component {
   import SineTable._
   val io = new Bundle {

@@ -3,12 +3,12 @@ package frustum.bus
 import spinal.core._
 import spinal.lib._
 
-/** FIFO of 16-bit words whose writer may change its mind: pushed words become visible to the reader at `commit` and
-  * vanish at `rollback`, which both concern the words pushed in earlier clocks only. Holds at least `depth - 2` words.
+/** FIFO of 16-bit words whose writer can roll back: pushed words become visible to the reader at `commit` and are
+  * discarded at `rollback`, which both concern the words pushed in earlier cycles only. Holds at least `depth - 2`
+  * words.
   *
-  * A push while `full` is lost; the writer is expected to look. `io.room` falls while fewer than `margin` words are
-  * free. The one is a clock late, the other two.
-  * Read latency two clocks after the commit, one word a clock.
+  * A push while `full` is lost; the writer has to check. `io.room` falls while fewer than `margin` words are free.
+  * `full` is a cycle late, `room` two. Read latency two cycles after the commit, one word per cycle.
   *
   * @param depth a power of two; 256 words are one EBR of the iCE40
   */
@@ -30,11 +30,12 @@ case class CommitFifo(depth: Int = 256, margin: Int = 16) extends Component {
   val fetched = Reg(UInt(log2Up(depth) bits)) init 0 // next word to read
 
   val free = fetched - written - 1
-  io.full := RegNext(free <= 1) init False // late, so there is room for one more
+  // One cycle late, so one more word may be pushed.
+  io.full := RegNext(free <= 1) init False
   val late = RegNext(free) init 0
   io.room := RegNext(late >= margin) init False
 
-  // A word is read a clock after its commit at the earliest, hence never in the clock in which it is written.
+  // A word is read a cycle after its commit at the earliest, hence never in the cycle in which it is written.
   val pushing = io.push.valid && !io.full
   memory.write(written, io.push.payload, pushing)
   when(pushing)(written := written + 1)

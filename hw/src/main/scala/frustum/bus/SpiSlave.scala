@@ -10,15 +10,15 @@ case class CommandPins() extends Bundle with IMasterSlave {
 }
 
 /** SPI slave, mode 0, most significant bit first, clocked by SCK itself: SCK may be faster than the core clock, as long
-  * as eight of its periods last at least five periods of the core clock, and may stop after any bit: nothing waits for
-  * another edge. A high `cs` resets the bit count, so a frame that ends within a byte loses that byte alone.
+  * as eight of its periods last at least five periods of the core clock, and may stop after any bit: nothing depends on
+  * a further edge. A high `cs` resets the bit count, so a frame that ends within a byte loses that byte alone.
   *
   * A byte waits in a register of the SCK domain while a toggle crosses to the core; it leaves `bytes` three to four
   * core clocks after its last bit and must be taken before the next.
   *
-  * MISO answers every frame of chip select with `firstByte`, `secondByte` and then bytes of the core's. A byte is asked for by its
-  * index while the one before it is being sent, so its value is at most two bytes old. In a longer frame bytes 1 to 8
-  * repeat.
+  * MISO answers every frame of chip select with `firstByte`, `secondByte` and then bytes of the core. The byte is
+  * requested by its index while the one before it is being sent, so its value is at most two bytes old. In a longer
+  * frame bytes 1 to 8 repeat.
   *
   * @param firstByte  byte 0 of an answer
   * @param secondByte byte 1, a constant because nothing can be prepared while byte 0 is sent
@@ -28,10 +28,10 @@ case class SpiSlave(firstByte: Int, secondByte: Int) extends Component {
     val pins = slave(CommandPins())
     val bytes = master(Stream(Bits(8 bits)))
     val ask = out UInt (3 bits) // index, modulo 8, of the byte of the answer that is prepared next
-    val answer = in Bits (8 bits) // that byte
+    val answer = in Bits (8 bits) // the requested byte
   }
 
-  // Whoever drives the pins, their timing is SCK's.
+  // The timing of the pins is that of SCK, whatever drives them.
   io.pins.mosi.addTag(crossClockDomain)
 
   // The core's side, declared first because the SCK domain reads it.
@@ -41,7 +41,7 @@ case class SpiSlave(firstByte: Int, secondByte: Int) extends Component {
     val shift = Reg(Bits(7 bits))
     val bit = Reg(UInt(3 bits)) init 0
     val index = Reg(UInt(3 bits)) init 0 // bytes of this frame, modulo 8
-    val ended = Reg(Bool()) init False // with this edge a byte ended
+    val ended = Reg(Bool()) init False // this edge ends a byte
     val first = Reg(Bool()) init False // the last byte that ended was the frame's first, or any 8th after it
     shift := shift(5 downto 0) ## io.pins.mosi
     bit := bit + 1
@@ -68,7 +68,7 @@ case class SpiSlave(firstByte: Int, secondByte: Int) extends Component {
   }
   io.pins.miso := falling.shift.msb
 
-  // Without reset: after a reset of the core alone, the toggle must not look like a byte.
+  // Without reset: after a reset of the core alone, the toggle must not be taken for a byte.
   val toggle = BufferCC(held.toggle, bufferDepth = Some(2))
   val arrived = toggle =/= RegNext(toggle)
   val byte = RegNextWhen(held.byte.addTag(crossClockDomain), arrived)

@@ -2,8 +2,8 @@ package frustum.device
 
 import spinal.core._
 
-/** A quarter of a clock, on a global clock net. With [[Tech.Generic]] the clock passes straight through: a simulation
-  * drives it at the output's frequency.
+/** A clock of a quarter of the frequency, on a global clock net. With [[Tech.Generic]] the clock passes straight
+  * through: a simulation drives it at the output's frequency.
   */
 case class Artix7ClockDivider(tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {

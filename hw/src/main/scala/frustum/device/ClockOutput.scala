@@ -2,10 +2,10 @@ package frustum.device
 
 import spinal.core._
 
-/** The clock at a pin, inverted, so that its rising edge falls into the middle of what registers put beside it: by the
-  * pad's double data rate registers on an iCE40; elsewhere plain logic.
+/** The clock at a pin, inverted, so that its rising edge is in the middle of the data of registers: by the pad's double
+  * data rate registers on an iCE40; elsewhere plain logic.
   *
-  * @param gated only the clocks at whose start `enable`, a register's, rises or stays high
+  * @param gated only the periods at whose start `enable`, a register's, rises or stays high
   */
 case class ClockOutput(tech: Tech = Tech.Generic, gated: Boolean = false) extends Component {
   val io = new Bundle {

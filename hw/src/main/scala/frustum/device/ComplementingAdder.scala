@@ -2,8 +2,8 @@ package frustum.device
 
 import spinal.core._
 
-/** `complement ? ~(a + b) : a + b`. On iCE40 one logic cell a bit, because the cell's fourth input, which synthesis leaves
-  * unused beside a carry, complements the sum.
+/** `complement ? ~(a + b) : a + b`. On iCE40 one logic cell per bit, because the cell's fourth input, which synthesis
+  * leaves unused beside a carry, complements the sum.
   */
 case class ComplementingAdder(width: Int, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {

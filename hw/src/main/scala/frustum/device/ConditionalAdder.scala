@@ -2,9 +2,8 @@ package frustum.device
 
 import spinal.core._
 
-/** `condition ? a + b : a`, no carry out: a row of a shift-and-add multiplier. On iCE40 one logic cell a bit,
-  * because the cell's fourth input, which synthesis leaves unused beside a carry, chooses between sum and
-  * `a`.
+/** `condition ? a + b : a`, no carry out: a row of a shift-and-add multiplier. On iCE40 one logic cell per bit, because
+  * the cell's fourth input, which synthesis leaves unused beside a carry, chooses between sum and `a`.
   */
 case class ConditionalAdder(width: Int, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
@@ -33,7 +32,7 @@ case class LogicCell(init: Int) extends BlackBox {
 
 object LogicCell {
 
-  /** A chain of adder cells, one a bit: `cell` sees the control at I0, the operands at I1 and I2, the carry at I3. */
+  /** A chain of adder cells, one per bit: `cell` has the control at I0, the operands at I1 and I2, the carry at I3. */
   def chain(width: Int, cell: => LogicCell, control: Bool, a: BitVector, b: BitVector): Bits = {
     var carry: Bool = False
     Cat(for (i <- 0 until width) yield {

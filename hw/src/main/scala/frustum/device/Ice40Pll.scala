@@ -4,9 +4,9 @@ import spinal.core._
 
 /** The clock of a design on an iCE40: a pad's clock multiplied by the PLL beside that pad.
   *
-  * `clockOut` runs at `settings.outputMHz` once `locked`, some 50 us after power up or `enable`. With
-  * [[Tech.Generic]] the clock passes straight through and is locked after its first clocks, so that what waits for
-  * the lock is reset as on the device: a simulation drives the pad at the output frequency.
+  * `clockOut` runs at `settings.outputMHz` once `locked`, about 50 us after power up or `enable`. With [[Tech.Generic]]
+  * the clock passes straight through and is locked after its first cycles, so that a reset by the lock works as on the
+  * device: a simulation drives the pad at the output frequency.
   */
 case class Ice40Pll(settings: Ice40PllSettings, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {

@@ -4,9 +4,10 @@ import spinal.core._
 
 /** SB_MAC16 of the iCE40 UltraPlus (Lattice TN1295). All operands are registered; held while CE is low.
   *
-  *   - as a 16 x 16 multiplier the result is registered too, so that all timing lies at registers: it comes two clocks
+  *   - as a 16 x 16 multiplier the result is registered too, so that all paths end at registers: it comes two cycles
   *     after the operands
-  *   - as a pair of 8 x 8 multipliers (`pair`) it comes one clock after them, by way of multiplier and adder, some 11 ns
+  *   - as a pair of 8 x 8 multipliers (`pair`) it comes one cycle after them, by way of multiplier and adder, about 11
+  *     ns
   *
   * @param add
   *   O = A * B + {C, D} by the block's adders, or {C, D} - A * B while both ADDSUB are high, otherwise O = A * B and

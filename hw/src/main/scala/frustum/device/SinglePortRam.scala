@@ -2,7 +2,7 @@ package frustum.device
 
 import spinal.core._
 
-/** Single-ported memory, one access a clock, read data one clock after `enable && !write`, held until the next read.
+/** Single-ported memory, one access per cycle, read data one cycle after `enable && !write`, held until the next read.
   * On the iCE40UP5K it is built of SPRAM blocks of 16 K x 16, elsewhere inferred.
   *
   * @param width a multiple of 16
@@ -21,7 +21,7 @@ case class SinglePortRam(words: Int, width: Int, tech: Tech = Tech.Generic, mask
     val readData = out Bits (width bits)
   }
 
-  /** Where no vendor's cells are used. */
+  /** The inferred memory, without vendor cells. */
   val inferred = (tech != Tech.Ice40) generate Mem(Bits(width bits), words)
 
   tech match {

@@ -11,15 +11,15 @@ import frustum.video.ResolvedPixel
 import spinal.core._
 import spinal.lib._
 
-/** From interpolated fragments to finished pixels, tile by tile; one fragment a clock.
+/** From interpolated fragments to finished pixels, tile by tile; one fragment per cycle.
   *
-  * While a fragment's coordinate is divided and its texel fetched, its other attributes wait in a memory.
+  * While a fragment's coordinate is divided and its texel fetched, its other attributes are kept in a memory.
   *
   *   - `start` comes before the first fragment of each frame or pass and is taken when the tile memories are
   *     clear
-  *   - `tile` tells the position of each tile, in the order of their end marks
-  *   - `state` must be stable from when a fragment is taken until `busy` is low; it rises the clock after
-  *   - `texels` writes texel memory; each write costs the fragments a clock
+  *   - `tile` has the position of each tile, in the order of the tile-end markers
+  *   - `state` must be stable from when a fragment is taken until `busy` is low; it rises a cycle later
+  *   - `texels` writes texel memory; each write costs the fragments a cycle
   */
 case class FragmentPipeline(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {

@@ -14,8 +14,8 @@ import spinal.lib._
   * bytes -> CommandLink -> Store -> Rasterizer -> FragmentPipeline -> pixels
   *               '------- texels --------------------'
   * }}}
-  * A frame is drawn while the next one arrives in the store's other bank. No port may be left waiting for ever except
-  * `pixels`, whose sink sets the pace.
+  * A frame is drawn while the next one arrives in the store's other bank. Every port but `pixels` must become ready in
+  * the end; the sink of `pixels` sets the rate.
   *
   * @param dropWhenFull see [[frustum.raster.link.Framer]]: true behind a source that cannot wait, such as an SPI slave
   */
@@ -29,10 +29,10 @@ case class RasterPipeline(
     val pixels = master(Stream(ResolvedPixel(config)))
     val status = out(LinkStatus())
 
-    /** A triangle was set up whole, or moved to a tile: for measurements. */
+    /** A triangle was set up, or moved to a tile: for measurements. */
     val setUp, moved = out Bool ()
 
-    /** A frame is being drawn; low for a clock at least between frames. Its last pixels may follow. */
+    /** A frame is being drawn; low for a cycle at least between frames. Its last pixels may follow. */
     val drawing = out Bool ()
   }
   val link = CommandLink(config, dropWhenFull = dropWhenFull)
@@ -43,15 +43,15 @@ case class RasterPipeline(
   link.io.bytes << io.bytes
   (rasterizer.io.stores :+ link.io.store).zip(store.io.clients).foreach { case (client, port) => client <> port }
   link.io.texels.validPipe() >> fragments.io.texels
-  // The resolver takes a tile's position when the tile is drawn; the rasterizer goes on to the next long before.
+  // The resolver takes a tile's position when the tile is drawn; the rasterizer is at a later one by then.
   rasterizer.io.tile.m2sPipe().m2sPipe() >> fragments.io.tile
   rasterizer.io.down >> fragments.io.up
   fragments.io.state := rasterizer.io.state
   rasterizer.io.draining := fragments.io.busy
   fragments.io.pixels >> io.pixels
 
-  // A frame starts in the tile memories, then in the rasterizer, which gives it back when it is drawn. It waits here, so
-  // that the decoder can go on with the next.
+  // A frame starts in the tile memories, then in the rasterizer, which releases it when it is drawn. It waits here, so
+  // that the decoder can begin the next.
   val job = link.io.job.halfPipe()
   val started = RegInit(False) setWhen fragments.io.start.fire clearWhen job.fire
   fragments.io.start.valid := job.valid && !started

@@ -10,8 +10,10 @@ import spinal.core._
 import spinal.lib._
 
 /** From a frame in the store to its fragments, tile by tile.
-  *
-  * {{{ frame -> TileSequencer -> TriangleSetup (with EdgeWalker) -> RenderStateLoader -> Interpolator -> fragments }}} */
+  * {{{
+  * frame -> TileSequencer -> TriangleSetup (with EdgeWalker) -> RenderStateLoader -> Interpolator -> fragments
+  * }}}
+  */
 case class Rasterizer(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val layout = StoreLayout(config)
   val io = new Bundle {

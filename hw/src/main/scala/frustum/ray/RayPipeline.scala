@@ -12,18 +12,19 @@ import frustum.ray.walk.RayWalkers
 import spinal.core._
 import spinal.lib._
 
-/** Ray caster without a frame buffer: one pixel a clock, `latency` clocks after `up`, no stalls.
+/** Ray caster without a frame buffer: one pixel per cycle, `latency` cycles after `up`, no stalls.
   *
-  * `latch`: at the start of the vertical blank, takes `motion`, which must stay for `takeClocks`. `line`: once before each row,
-  * `lineClocks` or more before its first pixel, after the last pixel of the row before, and a whole row after the last `line`. Everything a pixel needs is the
-  * sign of a whole polynomial, see [[frustum.contract.ray.RaySceneForms]]; cells are quotients found bit by bit.
+  * `latch`: at the start of the vertical blank, takes `motion`, which must stay for `takeClocks`. `line`: once before
+  * each row, `lineClocks` or more before its first pixel, after the last pixel of the row before, and one row after the
+  * last `line`. Everything a pixel needs is the sign of a polynomial with integer coefficients, see
+  * [[frustum.contract.ray.RaySceneForms]]; cells are quotients found bit by bit.
   */
 case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Component {
   import config.{mode, program, scene}
   val io = new Bundle {
     val motion = in(RayMotionBundle(scene))
     val latch, line = in Bool ()
-    val up = slave(Flow(NoData())) // row by row
+    val up = slave(Flow(NoData())) // pixels, row by row
     val down = master(Flow(RayPixel()))
   }
   private val wallLatency = SurfaceCells.stages(scene) + 2
@@ -41,12 +42,12 @@ case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Com
   val lineClocks: Int = config.setup.lineClocks + latency + 1
   require(
     setUpClocks <= config.frameLimit,
-    s"set-up of $setUpClocks clocks in a blank of ${mode.blankClocks}"
+    s"set-up of $setUpClocks cycles in a blank of ${mode.blankClocks}"
   )
-  require(lineClocks <= mode.hBlank, s"row load of $lineClocks clocks in a blank of ${mode.hBlank}")
+  require(lineClocks <= mode.hBlank, s"row load of $lineClocks cycles in a blank of ${mode.hBlank}")
   require(
     lineClocks + config.setup.rowClocks <= mode.hTotal,
-    s"row load and steps of ${lineClocks + config.setup.rowClocks} clocks in a row of ${mode.hTotal}"
+    s"row load and steps of ${lineClocks + config.setup.rowClocks} cycles in a row of ${mode.hTotal}"
   )
   require(latency < mode.width, s"latency $latency in rows of ${mode.width}")
 
@@ -63,7 +64,7 @@ case class RayPipeline(config: RayConfig, tech: Tech = Tech.Generic) extends Com
   when(setup.io.line)(waiting := False)
   when(io.line)(waiting := True)
 
-  /** Node at which a form is looked at. */
+  /** Node at which a form is read. */
   private def node(form: String): Int = {
     def isA(names: String*) = names.exists(n => form.startsWith(n))
     if (isA("sphere", "along")) shadeStart

@@ -4,23 +4,23 @@ import frustum.device.{ClockOutput, Tech}
 import spinal.core._
 import spinal.lib._
 
-/** A byte for the display, `data` telling it from a command. */
+/** A byte for the display, `data` low for a command. */
 case class DisplayByte() extends Bundle {
   val data = Bool()
   val value = Bits(8 bits)
 }
 
-/** Serialises bytes, SPI mode 0 or 3, most significant bit first, `clocksPerBit` clocks a bit, without a clock
-  * between bytes that come in time: one of `8 * clocksPerBit` clocks. `cs` rises when none comes. (SpiMasterCtrl of
-  * spinal.lib needs idle clocks between bytes.)
+/** Serialises bytes, SPI mode 0 or 3, most significant bit first, `clocksPerBit` cycles per bit. Between bytes that
+  * come in time, one per `8 * clocksPerBit` cycles, there is no idle cycle. `cs` rises when none follows.
+  * (SpiMasterCtrl of spinal.lib needs idle cycles between bytes.)
   *
-  * With one clock a bit SCK is the clock itself, see [[frustum.device.ClockOutput]].
+  * With one cycle per bit SCK is the clock itself, see [[frustum.device.ClockOutput]].
   *
   * @param restHigh SCK is high while no byte is sent: mode 3. Within a byte both modes are alike
   */
 case class ByteShifter(clocksPerBit: Int, tech: Tech = Tech.Generic, restHigh: Boolean = false) extends Component {
-  require(clocksPerBit >= 1 && isPow2(clocksPerBit), s"ByteShifter: $clocksPerBit clocks a bit are not 1, 2, 4, 8 ...")
-  require(!restHigh || clocksPerBit >= 2, "ByteShifter: SPI mode 3 takes at least 2 clocks a bit")
+  require(clocksPerBit >= 1 && isPow2(clocksPerBit), s"ByteShifter: $clocksPerBit cycles per bit, not 1, 2, 4, 8 ...")
+  require(!restHigh || clocksPerBit >= 2, "ByteShifter: SPI mode 3 needs at least 2 cycles per bit")
   val io = new Bundle {
     val bytes = slave(Stream(DisplayByte()))
     val sck, mosi, dc, cs = out Bool ()

@@ -9,7 +9,9 @@ case class FramePixel(pixels: Int, bits: Int) extends Bundle {
   val color = Bits(bits bits)
 }
 
-/** Two pictures: one is written while the other is read, and `swap` exchanges them in the next clock. A read takes three clocks. */
+/** Two pictures: one is written while the other is read, and `swap` exchanges them in the next cycle. A read takes
+  * three cycles.
+  */
 case class DoubleFrameBuffer(pixels: Int, bits: Int) extends Component {
   val io = new Bundle {
     val write = slave(Flow(FramePixel(pixels, bits)))
@@ -22,7 +24,7 @@ case class DoubleFrameBuffer(pixels: Int, bits: Int) extends Component {
   private def place(upper: Bool, address: UInt) =
     Mux(upper, address.resize(log2Up(2 * pixels)) + pixels, address.resize(log2Up(2 * pixels)))
 
-  // Registers around the memory, for it is wide spread.
+  // Registers around the memory, because it is spread over the device.
   val written = RegNext(io.write.valid) init False
   memory.write(RegNext(place(!front, io.write.address)), RegNext(io.write.color), written)
   io.color := RegNext(memory.readSync(RegNext(place(front, io.address))))

@@ -4,15 +4,17 @@ import frustum.contract.video.{ColorFormat, Crosshair, TextField, VideoMode}
 import spinal.core._
 import spinal.lib._
 
-/** A picture from a frame buffer to a monitor, each of its pixels 2^scale wide and high, with text and a crosshair over it: letters
-  * are white and their cells at half brightness, the crosshair inverts. It runs at the pixel clock, or with a clock enable at that rate.
+/** A picture from a frame buffer to a monitor, each of its pixels 2^scale wide and high, with text and a crosshair over
+  * it: letters are white and their cells at half brightness, the crosshair inverts. It runs at the pixel clock, or with
+  * a clock enable at that rate.
   *
-  * `address` asks the frame buffer, whose answer must come before the next pixel. `blank` is high for a pixel after the last row.
+  * `address` reads the frame buffer, whose data must come before the next pixel. `blank` is high for a pixel after the
+  * last row.
   */
 case class DoubledScanout(mode: VideoMode, format: ColorFormat, scale: Int, fields: Seq[TextField]) extends Component {
   require(
     mode.width % (1 << scale) == 0 && mode.height % (1 << scale) == 0,
-    s"mode ${mode.name}: ${mode.width} x ${mode.height} is no multiple of ${1 << scale}"
+    s"mode ${mode.name}: ${mode.width} x ${mode.height} is not a multiple of ${1 << scale}"
   )
   private val (width, height) = (mode.width >> scale, mode.height >> scale)
   val io = new Bundle {

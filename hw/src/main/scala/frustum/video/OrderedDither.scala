@@ -4,8 +4,8 @@ import frustum.contract.video.{Bayer, ColorFormat}
 import spinal.core._
 import spinal.lib.graphic.{Rgb, RgbConfig}
 
-/** Eight-bit channels to a display's own with ordered dither: channel of n bits = (c - (c >> n) + threshold) >> (8 - n),
-  * which keeps 0 and 255 at the ends of the range and never overflows. Combinational; 8 bits stay as they are.
+/** Eight-bit channels to a display's own with ordered dither: channel of n bits = (c - (c >> n) + threshold) >> (8 -
+  * n), which keeps 0 and 255 at the ends of the range and never overflows. Combinational; 8 bits stay as they are.
   */
 case class OrderedDither(format: ColorFormat) extends Component {
   val io = new Bundle {

@@ -4,12 +4,12 @@ import frustum.contract.video.VideoMode
 import spinal.core._
 import spinal.lib._
 
-/** Where a picture's beam is: counters that begin with the visible part, and pulses that follow from them.
+/** Position in a picture: counters that begin with the visible part, and pulses that follow from them.
   *
   *   - `x`, `y`: position, also beyond the visible part
-  *   - `active`: this clock is visible; `hSync`, `vSync` in the mode's polarity
-  *   - `line`: one clock at the start of the horizontal blank before each visible row
-  *   - `frameEnd`: one clock in the first blank row, `PixelScanner.Tail` clocks into it
+  *   - `active`: the pixel of this cycle is visible; `hSync`, `vSync` in the mode's polarity
+  *   - `line`: one cycle at the start of the horizontal blank before each visible row
+  *   - `frameEnd`: one cycle in the first blank row, `PixelScanner.Tail` cycles into it
   */
 case class PixelScanner(mode: VideoMode) extends Component {
   import mode._
@@ -22,10 +22,10 @@ case class PixelScanner(mode: VideoMode) extends Component {
   }
   require(width > PixelScanner.Tail, s"rows of $width pixels, more than ${PixelScanner.Tail} are needed")
 
-  // Starts in the blank, so that the first frame is a whole one.
+  // Starts in the blank, so that the first frame is complete.
   val x = Reg(UInt(log2Up(hTotal) bits)) init 0
   val y = Reg(UInt(log2Up(vTotal) bits)) init height
-  val last = RegNext(x === hTotal - 2) init False // x is at its end: known when the clock begins
+  val last = RegNext(x === hTotal - 2) init False // x is at its end: known when the cycle begins
   x := x + 1
   when(last) {
     x := 0

@@ -3,7 +3,7 @@ package frustum.video
 import frustum.contract.video.ScreenTiles
 import spinal.core._
 
-/** A finished pixel of a tile: tiles in the order drawn, rows from the top, pixels from the left, only pixels that lie
+/** A finished pixel of a tile: tiles in the order drawn, rows from the top, pixels from the left, only pixels that are
   * on the screen. `first` marks the first pixel of a tile, whose position is `tileX`, `tileY`.
   */
 case class ResolvedPixel(config: ScreenTiles) extends Bundle {

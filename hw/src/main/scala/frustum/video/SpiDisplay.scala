@@ -7,17 +7,17 @@ import spinal.lib._
 
 /** Finished tiles to an ILI9341 or ST7789.
   *
-  * After reset: the panel's reset pin low, a pause, the panel's commands with a pause after "sleep out"; a pause
-  * lasts at least [[frustum.contract.video.Panel.SettleMs]], at most twice that. Then each tile is a window write (column and
-  * row address, memory write) and its pixels, RGB565, high byte first, gapless while pixels come in time: one of
-  * `16 * clocksPerBit` clocks, and 11 bytes a window.
+  * After reset: the panel's reset pin low, a pause, the panel's commands with a pause after "sleep out"; a pause lasts
+  * at least [[frustum.contract.video.Panel.SettleMs]], at most twice that. Then each tile is a window write (column and
+  * row address, memory write) and its pixels, RGB565, high byte first, without gaps while pixels come in time, one per
+  * `16 * clocksPerBit` cycles; 11 bytes per window.
   *
-  * A panel without chip select is sent to in SPI mode 3, SCK resting high, which takes at least 2 clocks a bit; it
-  * counts bits from its reset on, so `cs` is left open there.
+  * A panel without chip select is sent to in SPI mode 3, SCK resting high, which needs at least 2 cycles per bit. It
+  * counts bits from its reset on; `cs` is not connected there.
   *
   * @param clockHz      the clock's frequency
   * @param clocksPerBit a power of two: SCK is the clock divided by it
-  * @param tech         matters with one clock a bit alone
+  * @param tech         used with one cycle per bit only
   * @param fast         shortens the pauses by this factor, for simulation
   */
 case class SpiDisplay(
@@ -41,7 +41,7 @@ case class SpiDisplay(
   io.pins.cs := shifter.io.cs
 
   val state = RegInit(resetting)
-  val windowed = RegInit(False) // the window of the tile in hand is set
+  val windowed = RegInit(False) // the window of the current tile is set
   val index = RegInit(U(0, 4 bits))
   val pause = RegInit(U(0, SpiDisplay.pauseBits(clockHz, fast) bits))
   io.pins.reset := RegNext(state =/= resetting) init False
@@ -127,7 +127,7 @@ object DisplayState extends SpinalEnum {
 
 object SpiDisplay {
 
-  /** Pauses are powers of two of clocks. */
+  /** A pause has 2^n cycles. */
   def pauseBits(clockHz: Long, fast: Int): Int = {
     require(clockHz > 0 && fast >= 1, s"SpiDisplay: clock of $clockHz Hz, pauses shortened by $fast: both at least 1")
     log2Up((BigInt(clockHz) * Panel.SettleMs / 1000 / fast).max(16))

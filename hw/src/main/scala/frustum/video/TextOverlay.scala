@@ -4,9 +4,9 @@ import frustum.contract.video.{Font, TextField}
 import spinal.core._
 import spinal.lib._
 
-/** Letters over a picture, in fields at fixed places; earlier fields lie above later ones.
+/** Letters over a picture, in fields at fixed places; earlier fields cover later ones.
   *
-  * `io.cell` and `io.dot` belong to the position of `TextOverlay.Latency` clocks before: inside a field that is shown,
+  * `io.cell` and `io.dot` belong to the position of `TextOverlay.Latency` cycles before: inside a field that is shown,
   * and on a dot of its letter.
   *
   * @param bits

@@ -4,8 +4,8 @@ import frustum.contract.video.ColorFormat
 import spinal.core._
 import spinal.lib._
 
-/** Pixels for a monitor, one a clock of the pixel's rate (the core's, or, behind a source that divides it, every few of those): colour (0 outside of `active`), sync pulses of the mode's polarity, and which
-  * clocks are visible.
+/** Pixels for a monitor, one per cycle of the pixel's rate (the core's, or, behind a source that divides it, every few
+  * of those): colour (0 outside of `active`), sync pulses of the mode's polarity, and which cycles are visible.
   */
 case class VideoBus(format: ColorFormat) extends Bundle with IMasterSlave {
   val red = UInt(format.red bits)

@@ -8,17 +8,17 @@ import frustum.voxel.world.{SharedWorldMemory, WorldWrite}
 import spinal.core._
 import spinal.lib._
 
-/** [[VoxelPipeline]] for a small FPGA: the same pictures, pixels in order, RGB565, a frame buffer needless. Rays march
-  * four at a time, a step a cycle; what happens once a ray, a face or a layer takes 9 to 17 cycles on one or two
-  * multipliers a unit.
+/** [[VoxelPipeline]] for a small FPGA: the same pictures, pixels in order, RGB565, without a frame buffer. Rays march
+  * four at a time, one step per cycle. Work per ray, face or layer uses 9 to 17 cycles and one or two multipliers per
+  * unit.
   * {{{
   * SerialRays -> Marcher <-> SharedWorldMemory
   *                  Marcher -> SerialTexel -> SerialComposite -> PixelOrder -> pixels
   * }}}
-  * `start` is taken while not `busy` and a frame is drawn with the newest whole camera. Edits wait until a frame is
-  * drawn; if more than [[CompactVoxelPipeline.Patient]] do, they are made at once, a world being loaded.
+  * `start` is taken while not `busy` and a frame is drawn with the newest complete camera. Edits wait until a frame is
+  * drawn; if there are more than [[CompactVoxelPipeline.Patient]], a world is being loaded, and they are made at once.
   *
-  * @param camera the one of the start
+  * @param camera initial camera
   */
 case class CompactVoxelPipeline(
     config: VoxelConfig,
@@ -36,7 +36,7 @@ case class CompactVoxelPipeline(
     val commit = in Bool ()
     val edit = slave(Stream(WorldWrite(config)))
     val busy = out Bool ()
-    val pending = out Bool () // edits wait
+    val pending = out Bool () // edits are waiting
     val pixels = master(Stream(Bits(16 bits)))
     val pointedAt = out(PointedAt(config))
     val step = out Bool ()
@@ -90,7 +90,7 @@ case class CompactVoxelPipeline(
   composite.io.pointedAt.valid.removeAssignments() := pick.io.found.valid && io.highlight
 
   val drawing = new Area {
-    val rayCount = RegInit(U(0, 4 bits)) // begun and not done
+    val rayCount = RegInit(U(0, 4 bits)) // rays begun and not done
     when(rays.io.begun =/= composite.io.done)(rayCount := Mux(rays.io.begun, rayCount + 1, rayCount - 1))
     io.busy := rays.io.busy || rayCount =/= 0
   }
@@ -98,15 +98,15 @@ case class CompactVoxelPipeline(
 
 object CompactVoxelPipeline {
 
-  /** What it cannot be built for and what to do about it, or None. */
+  /** The rule that a configuration breaks, with the remedy, or None. */
   def fault(config: VoxelConfig): Option[String] =
     if (config.leaps.wordBits > 8)
-      Some(s"leaps that take words of ${config.leaps.wordBits} bits do not fit two into 16; use up-down")
+      Some(s"two words of leaps of ${config.leaps.wordBits} bits do not fit into 16 bits; use up-down")
     else if (config.farSquared - config.fogSquared >= (1 << 16))
       Some(s"a view distance of ${config.distance} is too far for a multiplier of 16 bits; at most 24")
     else None
 
-  /** Edits that wait while a frame is drawn, and how many of them are patient. */
+  /** Edits that wait while a frame is drawn, and how many of them wait for the frame's end. */
   val Edits = 256
   val Patient = 128
 }

@@ -8,16 +8,15 @@ import frustum.voxel.world.{WorldMemory, WorldReadBus, WorldWrite}
 import spinal.core._
 import spinal.lib._
 
-/** Pictures of a world of blocks, a word of the world's memory a cycle:
+/** Pictures of a world of blocks, one word of the world's memory per cycle:
   * {{{
   * PixelRays -> RaySetup -> Marcher <-> WorldMemory
-  *                             Marcher -> FaceTexel -> LayerComposite -> pixels, as they are done
+  *                             Marcher -> FaceTexel -> LayerComposite -> pixels in the order of completion
   * }}}
   * `start` is taken while not `busy` and a frame is drawn from the camera as it is then; edits wait until the frame is
-  * drawn. Before the pixels the block in the screen's middle is found, which is drawn highlighted if `highlight` says
-  * so.
+  * drawn. Before the pixels the block in the screen's middle is found, which is highlighted if `highlight` is high.
   *
-  * @param reach blocks that can be pointed at are at most this far away
+  * @param reach greatest distance of a block that can be selected
   */
 case class VoxelPipeline(
     config: VoxelConfig,
@@ -31,7 +30,7 @@ case class VoxelPipeline(
     val camera = in(CameraPort(config))
     val highlight = in Bool ()
     val edit = slave(Stream(WorldWrite(config)))
-    val look = slave(WorldReadBus(config)) // while not busy
+    val look = slave(WorldReadBus(config)) // reads of the host while not busy
     val busy = out Bool ()
     val pixels = master(Flow(VoxelColor(config)))
     val pointedAt = out(PointedAt(config))
@@ -51,7 +50,7 @@ case class VoxelPipeline(
   setup.io.eye := camera.eye
   texels.io.eye := camera.eye
 
-  // No way of ready leads from the ring through the set-up.
+  // Ready has no combinational path from the ring through the set-up.
   rays.io.down.s2mPipe() >> setup.io.up
   setup.io.down.s2mPipe() >> marcher.io.up
   memory.io.read.address := Mux(io.busy, marcher.io.memory.address, io.look.address)

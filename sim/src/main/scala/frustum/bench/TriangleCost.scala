@@ -3,10 +3,10 @@ package frustum.bench
 import frustum.engine.raster.{DrawnPass, PipelineEvent}
 
 /** What a triangle costs, from a frame with copies of it one after the other: the clocks from one copy's being handed
-  * over to the next's, summed over the tiles that its box touches. So set-up and drawing overlap as they do in a stream of
-  * such triangles, and the display's share, sending a finished tile, is left out: it is hidden as long as a tile's drawing
-  * takes longer. There are no more copies than triangles kept set up, so a copy is set up in its first tile and moved to
-  * the others. The first copies of each tile fill the pipeline and do not count.
+  * over to the next's, summed over the tiles that its box touches. So set-up and drawing overlap as they do in a stream
+  * of such triangles, and the display's share, sending a finished tile, is left out: it is hidden as long as a tile's
+  * drawing takes longer. There are no more copies than triangles kept set up, so a copy is set up in its first tile and
+  * moved to the others. The first copies of each tile fill the pipeline and do not count.
   *
   * @param firstTile clocks in the first tile, @param others in each further tile, in order
   */

@@ -4,8 +4,9 @@ import frustum.synthesis.UnitCosts
 import scala.math.{pow, round}
 import scala.util.Random
 
-/** An attribute across the screen: one value to start with and a gradient added from pixel to pixel, against values afresh at
-  * each tile. The gradient has f fraction bits; what it is off by adds up over as many pixels as it is used for.
+/** An attribute across the screen: one value to start with and a gradient added from pixel to pixel, against values
+  * afresh at each tile. The gradient has f fraction bits; what it is off by adds up over as many pixels as it is used
+  * for.
   */
 object AccumulationFamily extends ChartFamily {
   val name = "accumulation"
@@ -42,8 +43,9 @@ object AccumulationFamily extends ChartFamily {
       at(16),
       at(Screen),
       1e-8,
-      "Accumulation drifts by half a unit a pixel, 160 x 2^-f over a screen when gradients are rounded and 320 x 2^-f when they are cut; a " +
-        "tile of 16 keeps it to 8 and saves four bits of every adder and register. Marked at 16 bits: our tiles, the peers' screen."
+      "Accumulation drifts by half a unit a pixel, 160 x 2^-f over a screen when gradients are rounded and 320 x " +
+        "2^-f when they are cut; a tile of 16 keeps it to 8 and saves four bits of every adder and register. Marked " +
+        "at 16 bits: our tiles, the peers' screen."
     ))
   }
 }

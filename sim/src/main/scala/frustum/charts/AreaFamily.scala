@@ -3,8 +3,8 @@ package frustum.charts
 import frustum.synthesis.UnitCosts
 import scala.math.{floor, pow, round}
 
-/** Reciprocal of a triangle's area, normalised to 1/2..1: Newton and Raphson's steps from a line or a table, 30 fraction bits as
-  * set-up has them.
+/** Reciprocal of a triangle's area, normalised to 1/2..1: Newton and Raphson's steps from a line or a table, 30
+  * fraction bits as set-up has them.
   */
 object AreaFamily extends ChartFamily {
   val name = "area"
@@ -36,7 +36,8 @@ object AreaFamily extends ChartFamily {
       lines.find(_.setting == "3 steps"),
       None,
       1e-10,
-      "Each step squares the error, until the 30 fraction bits end it. A product is two clocks of the set-up engine; a table saves a step or two and costs memory and a normalised index."
+      "Each step squares the error, until the 30 fraction bits end it. A product is two clocks of the set-up engine; " +
+        "a table saves a step or two and costs memory and a normalised index."
     ))
   }
 }

@@ -41,7 +41,8 @@ object AttributeFamily extends ChartFamily {
       points.find(p => p.method == "floor" && p.setting == "32 bits"),
       None,
       1e-3,
-      "Each bit less makes two to three times as many wrong: values are cut, and a tile's steps add up what was cut. The perspective divide shrinks as well, which this cost leaves out.",
+      "Each bit less makes two to three times as many wrong: values are cut, and a tile's steps add up what was cut. " +
+        "The perspective divide shrinks as well, which this cost leaves out.",
       scenes = true
     ))
   }

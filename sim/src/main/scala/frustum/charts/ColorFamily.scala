@@ -21,7 +21,9 @@ object ColorFamily extends ChartFamily {
   /** A value of n bits in 0..255. */
   private def shown(value: Int, bits: Int): Double = value * 255.0 / ((1 << bits) - 1)
 
-  /** Root mean square of what the mean of 4 x 4 pixels is off by, which is what an eye sees that does not make out pixels. */
+  /** Root mean square of what the mean of 4 x 4 pixels is off by, which is what an eye sees that does not make out
+    * pixels.
+    */
   def error(format: ColorFormat, dither: Boolean): Double = {
     var (sum, n) = (0.0, 0)
     for ((bits, channel) <- format.channels.zipWithIndex; y <- 0 until height by 4; x <- 0 until width by 4) {

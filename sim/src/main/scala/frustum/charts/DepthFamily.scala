@@ -3,8 +3,8 @@ package frustum.charts
 import frustum.synthesis.UnitCosts
 import scala.math.{floor, log10, pow}
 
-/** Depth formats: the least gap, relative to the depth, that two surfaces need to be told apart, at the worst depth between
-  * near and far plane.
+/** Depth formats: the least gap, relative to the depth, that two surfaces need to be told apart, at the worst depth
+  * between near and far plane.
   */
 object DepthFamily extends ChartFamily {
   val name = "depth"
@@ -28,7 +28,8 @@ object DepthFamily extends ChartFamily {
     )
   )
 
-  /** The least relative gap that is always seen, by bisection, at the worst of depths spread evenly by their logarithm. */
+  /** The least relative gap that is always seen, by bisection, at the worst of depths spread evenly by their logarithm.
+    */
   def gap(encode: (Double, Double, Int) => Double, far: Double, bits: Int): Double = {
     val Depths = 200
     (0 until Depths).map { i =>

@@ -56,7 +56,8 @@ object DirectionFamily extends ChartFamily {
       points.find(_.setting == s"${VoxelConfig().slopeBits} bits"),
       Some(ChartPoint("whole numbers (the original)", "", points.head.cost, 2.3)),
       1e-4,
-      "The original's directions are whole numbers, 2.3 pixels off at worst (its cost is not known: it is drawn at our least)."
+      "The original's directions are whole numbers, 2.3 pixels off at worst (its cost is not known: it is drawn at " +
+        "our least)."
     ))
   }
 }

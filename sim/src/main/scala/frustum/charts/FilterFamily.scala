@@ -4,8 +4,8 @@ import frustum.synthesis.UnitCosts
 import scala.math.{floor, pow, round}
 import scala.util.Random
 
-/** Bits of the weights of a bilinear filter, on texels that differ at random: what is lost of a channel. The weights are a texel
-  * coordinate's upper fraction bits.
+/** Bits of the weights of a bilinear filter, on texels that differ at random: what is lost of a channel. The weights
+  * are a texel coordinate's upper fraction bits.
   */
 object FilterFamily extends ChartFamily {
   val name = "filter"
@@ -57,7 +57,8 @@ object FilterFamily extends ChartFamily {
       None,
       None,
       1e-2,
-      "The method in float64, with no unit of the library behind it. With 4 bits the weights are off by less than the 5 bits of the frame buffer are; cutting them costs a bit."
+      "The method in float64, with no unit of the library behind it. With 4 bits the weights are off by less than " +
+        "the 5 bits of the frame buffer are; cutting them costs a bit."
     ))
   }
 }

@@ -2,11 +2,12 @@ package frustum.charts
 
 import spinal.core._
 
-/** s / q by long division, two numerators to a denominator, one pair a clock: what the perspective divide would be without a table
-  * and multipliers. It is here to be charted against [[frustum.raster.texture.PerspectiveDivide]], whose formats it takes.
+/** s / q by long division, two numerators to a denominator, one pair a clock: what the perspective divide would be
+  * without a table and multipliers. It is here to be charted against [[frustum.raster.texture.PerspectiveDivide]],
+  * whose formats it takes.
   *
-  * A row for each bit of the quotient: the doubled remainder less q, if that is not negative. |s| < q; the quotient, |s| 2^8 / q in
-  * repeats, has 8 integer bits and is cut towards 0. Latency: a clock a row and one more.
+  * A row for each bit of the quotient: the doubled remainder less q, if that is not negative. |s| < q; the quotient,
+  * |s| 2^8 / q in repeats, has 8 integer bits and is cut towards 0. Latency: a clock a row and one more.
   *
   * @param fraction bits of the quotient after the point
   */

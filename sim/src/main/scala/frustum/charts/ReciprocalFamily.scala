@@ -10,7 +10,8 @@ import scala.util.Random
 
 /** Reciprocals of a mantissa in [1, 2): the heart of the perspective divide and of the voxel world's slopes.
   *
-  * Words of tables have as many bits as their error asks for, and two more. Errors are the greatest over 2^20 mantissas.
+  * Words of tables have as many bits as their error asks for, and two more. Errors are the greatest over 2^20
+  * mantissas.
   */
 object ReciprocalFamily extends ChartFamily {
   val name = "perspective"
@@ -57,7 +58,9 @@ object ReciprocalFamily extends ChartFamily {
   /** How many correct bits an approximation has. */
   def bitsOf(error: Double): Double = -log(error) / log(2)
 
-  /** Greatest error in texels of 128, of coordinates within a repeat of 0, where q is down to 2^-`ratio` of its greatest. */
+  /** Greatest error in texels of 128, of coordinates within a repeat of 0, where q is down to 2^-`ratio` of its
+    * greatest.
+    */
   def texelError(ratio: Int = 14)(quotient: (Int, Int) => Double): Double = {
     val random = new Random(1)
     Seq.fill(100000) {
@@ -98,8 +101,9 @@ object ReciprocalFamily extends ChartFamily {
       Some(ours),
       None,
       1e-6,
-      s"Ours has ${unit.multipliers} of the UP5K's 8 multipliers and ${unit.blockRams} of its 30 block RAMs as well; long division " +
-        "has none. LateDivide is for fitted hardware: less logic, more block RAM. Without MHz: it does not fit the UP5K.",
+      s"Ours has ${unit.multipliers} of the UP5K's 8 multipliers and ${unit.blockRams} of its 30 block RAMs as well; " +
+        "long division has none. LateDivide is for fitted hardware: less logic, more block RAM. Without MHz: it does " +
+        "not fit the UP5K.",
       logCost = true
     )
   }
@@ -130,8 +134,8 @@ object ReciprocalFamily extends ChartFamily {
       Some(ours),
       None,
       1e-9,
-      "A line costs one multiplier, a Newton step two in a row and so two multipliers' latency. A relative error e moves a " +
-        "texel coordinate of n texels by n e.",
+      "A line costs one multiplier, a Newton step two in a row and so two multipliers' latency. A relative error e " +
+        "moves a texel coordinate of n texels by n e.",
       logCost = true
     )
   }

@@ -4,8 +4,8 @@ import frustum.contract.arithmetic.FunctionTable
 import frustum.synthesis.UnitCosts
 import scala.math.{pow, round, sqrt}
 
-/** Square root and reciprocal square root, the heart of a sphere's shade, by tables, over the arguments that the shade's windows
-  * bring there: shifts by an even number of bits put a root's in 1/64..1 and a distance's in 1/16..1.
+/** Square root and reciprocal square root, the heart of a sphere's shade, by tables, over the arguments that the
+  * shade's windows bring there: shifts by an even number of bits put a root's in 1/64..1 and a distance's in 1/16..1.
   */
 object RootFamily extends ChartFamily {
   val name = "roots"

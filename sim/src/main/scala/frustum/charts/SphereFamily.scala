@@ -11,8 +11,9 @@ import scala.util.Random
 
 /** Tests of a ray against a sphere: the sign of a discriminant, in numbers of so many bits, pixel by pixel.
   *
-  * "Floating point" rounds every sum and product to a mantissa of n bits; "unit vectors" takes rays of length 1 of n fraction bits, so
-  * that a product less is needed, and sums them exactly. Exact are the whole numbers that the library steps from pixel to pixel.
+  * "Floating point" rounds every sum and product to a mantissa of n bits; "unit vectors" takes rays of length 1 of n
+  * fraction bits, so that a product less is needed, and sums them exactly. Exact are the whole numbers that the library
+  * steps from pixel to pixel.
   */
 object SphereFamily extends ChartFamily {
   val name = "spheres"
@@ -89,8 +90,8 @@ object SphereFamily extends ChartFamily {
       Some(ours),
       None,
       1e-3,
-      "None wrong is drawn at the lower end. The discriminants take seven to ten products a pixel and, for unit vectors, a reciprocal root; the " +
-        "differences take two additions" + walker.fold(".")(u =>
+      "None wrong is drawn at the lower end. The discriminants take seven to ten products a pixel and, for unit " +
+        "vectors, a reciprocal root; the differences take two additions" + walker.fold(".")(u =>
           s": ${u.luts} LUT and ${u.flipFlops} flip-flops."
         )
     ))

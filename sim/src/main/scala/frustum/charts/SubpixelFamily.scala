@@ -4,8 +4,8 @@ import frustum.reference.raster.ExactCoverage
 import frustum.synthesis.UnitCosts
 import scala.util.Random
 
-/** Sub-pixel bits of vertices: pixels that are covered otherwise than by the unrounded triangle, over random triangles of some 8
-  * pixels.
+/** Sub-pixel bits of vertices: pixels that are covered otherwise than by the unrounded triangle, over random triangles
+  * of some 8 pixels.
   */
 object SubpixelFamily extends ChartFamily {
   val name = "subpixel"

@@ -7,8 +7,8 @@ import frustum.judge.FrameJudge
 import frustum.scene.Scenes
 import frustum.synthesis.UnitCosts
 
-/** Sizes of tiles: a large one has fewer triangles moved to it, and gradients that add up over more pixels. Clocks are the
-  * simulated core's.
+/** Sizes of tiles: a large one has fewer triangles moved to it, and gradients that add up over more pixels. Clocks are
+  * the simulated core's.
   */
 object TileFamily extends ChartFamily {
   val name = "tiles"
@@ -58,7 +58,8 @@ object TileFamily extends ChartFamily {
       points.find(p => p.method == "cube" && p.setting == "16 x 16"),
       None,
       1e-3,
-      "Larger tiles take fewer clocks and more block RAM, and make more texels wrong: gradients add up over more pixels.",
+      "Larger tiles take fewer clocks and more block RAM, and make more texels wrong: gradients add up over more " +
+        "pixels.",
       scenes = true
     )
   }

@@ -15,8 +15,8 @@ object CommandPage {
   def text: String =
     (Seq(
       "# Commands",
-      "*Printed from the table `frustum.contract.raster.Command` and the layouts beside it by " +
-        "`./sbt \"sim/runMain frustum.command.CommandPage\"`; a test fails when it is stale. Edit those, not this page.*"
+      "*Printed from the table `frustum.contract.raster.Command` and the layouts beside it by `./sbt \"sim/runMain " +
+        "frustum.command.CommandPage\"`; a test fails when it is stale. Edit those, not this page.*"
     ) ++ CommandPageText.framing ++ overview ++ Command.all.flatMap(section) ++ vertex ++ state ++
       CommandPageText.flow ++ CommandPageText.status).map(WrappedText(_)).mkString("", "\n\n", "\n")
 
@@ -38,9 +38,9 @@ object CommandPage {
       Seq("opcode", "command", "words", "what it does"),
       Command.all.map(c => Seq(hex(c.opcode), s"[${c.name}](#${c.name})", lengths(c), c.note))
     ),
-    "A frame is `begin`, any `state`, `vertices` and `triangles`, then `draw`; vertices come before the triangles that " +
-      "name them, states before `draw`. `texels` may stand anywhere. A frame that is incomplete is counted and drawn with what " +
-      "has arrived."
+    "A frame is `begin`, any `state`, `vertices` and `triangles`, then `draw`; vertices come before the triangles " +
+      "that name them, states before `draw`. `texels` may stand anywhere. A frame that is incomplete is counted and " +
+      "drawn with what has arrived."
   )
 
   /** Records with a section of their own. */
@@ -75,9 +75,10 @@ object CommandPage {
 
   private def state: Seq[String] = Seq(
     "## Render state",
-    s"${RenderStateLayout.words} words (`RenderState`); ${RenderState.Count} states a frame. Those that triangles name must be sent in every frame.",
+    s"${RenderStateLayout.words} words (`RenderState`); ${RenderState.Count} states a frame. Those that triangles " +
+      "name must be sent in every frame.",
     fields(RenderStateLayout),
-    "Texels lie row by row from the bottom row (t = 0) up, 16 bits each, red in the most significant bits. With RGB565 " +
-      "the fragment's alpha is the vertex's."
+    "Texels lie row by row from the bottom row (t = 0) up, 16 bits each, red in the most significant bits. With " +
+      "RGB565 the fragment's alpha is the vertex's."
   )
 }

@@ -1,7 +1,7 @@
 package frustum.command
 
-/** Markdown wrapped at [[Columns]]: paragraphs and the items of a list; tables, code and headings stay as they are. A code
-  * span is never broken.
+/** Markdown wrapped at [[Columns]]: paragraphs and the items of a list; tables, code and headings stay as they are. A
+  * code span is never broken.
   */
 object WrappedText {
   val Columns = 110

@@ -12,7 +12,8 @@ import scala.util.{Random, Try}
 /** Where a scene is seen from, relative to its own camera: the eye is turned about the point it looks at.
   *
   * @param turn      degrees about the camera's up
-  * @param elevation degrees added to the eye's height above the plane at right angles to up; ends 1 degree before straight up and down
+  * @param elevation degrees added to the eye's height above the plane at right angles to up; ends 1 degree before
+  *   straight up and down
   * @param distance  factor of the distance
   */
 final case class View(turn: Double, elevation: Double, distance: Double) {
@@ -60,7 +61,8 @@ final case class CameraVolume(
 object CameraVolume {
   val default: CameraVolume = CameraVolume((-30, 30), (-10, 10), (0.9, 1.5))
 
-  /** JSON: `{"turn": [low, high], "elevation": [low, high], "distance": [low, high]}`; what is absent is as by default. */
+  /** JSON: `{"turn": [low, high], "elevation": [low, high], "distance": [low, high]}`; what is absent is as by default.
+    */
   def read(file: Path): CameraVolume = {
     val document = JsonFile.read(file, "./sbt \"fit --help\"")
     val json = document.root.objOpt.getOrElse(document.refuse(

@@ -16,8 +16,8 @@ final case class DrawnView(frame: PreparedFrame, picture: Array[Int], logs: Seq[
 
 /** Searches the formats with which every view of a volume stays within a budget.
   *
-  * Precision is searched at half the budget on views drawn by lot; then the camera climbs to worse views, which are added, until it
-  * finds none over the half. The verdict is on other views, at the whole budget.
+  * Precision is searched at half the budget on views drawn by lot; then the camera climbs to worse views, which are
+  * added, until it finds none over the half. The verdict is on other views, at the whole budget.
   *
   * @param say told of each step
   */
@@ -87,8 +87,8 @@ final class Fit(
   private def holds(views: Seq[View], formats: PlaneFormats): Boolean =
     views.forall(share(_, formats) <= Fit.Margin)
 
-  /** Formats with the most bits dropped that hold; knob by knob, from the one that saves most, and then bit by bit as long as there is
-    * a knob that has one more: errors of one may make good for another's.
+  /** Formats with the most bits dropped that hold; knob by knob, from the one that saves most, and then bit by bit as
+    * long as there is a knob that has one more: errors of one may make good for another's.
     */
   private def search(views: Seq[View]): PlaneFormats = furthered(
     views,

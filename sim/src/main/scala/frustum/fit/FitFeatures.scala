@@ -6,8 +6,8 @@ import frustum.driver.scene.Scene
 
 /** What a scene needs by inspection: no view is drawn for it.
   *
-  * @param config  nothing in it but what the scene's states can choose, vertices no farther than they reach from the volume's views,
-  *                texel memory and store of the sizes that it fills
+  * @param config  nothing in it but what the scene's states can choose, vertices no farther than they reach from the
+  *                volume's views, texel memory and store of the sizes that it fills
   * @param options back faces are culled, and there is no depth test, where nothing can hide anything else
   */
 final case class FitFeatures(config: RasterConfig, options: DrawOptions)

@@ -22,7 +22,9 @@ final case class FitResult(
   /** Worst first. */
   def worst: Seq[(View, ViewErrors)] = (heldOut ++ trained).sortBy { case (_, e) => -budget.share(e) }
 
-  /** What share of all views may be over, with a confidence of 95 %, when so many of so many were (Clopper and Pearson, 1934). */
+  /** What share of all views may be over, with a confidence of 95 %, when so many of so many were (Clopper and Pearson,
+    * 1934).
+    */
   def overAtMost: Double = {
     val n = heldOut.length
     def likely(p: Double) = (0 to heldOutOver).map { k =>

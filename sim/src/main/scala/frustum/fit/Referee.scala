@@ -20,7 +20,8 @@ final case class Referee(
   def met: Boolean = over <= 1 && fromWorld.forall(_.met)
 
   private def figures =
-    f"$over of $views views over, at worst $texelsWrong%.3f %% of the texels and $primitivesWrong%.3f %% of the pixels wrong"
+    f"$over of $views views over, at worst $texelsWrong%.3f %% of the texels and $primitivesWrong%.3f %% of the " +
+      "pixels wrong"
 
   override def toString: String =
     (if (views == 0) "llvmpipe judges nothing of the driver's triangles: there is an alpha test"

@@ -7,8 +7,8 @@ import scala.math.{ceil, floor, log, max, sqrt, tan, toRadians}
 
 /** How far the numbers of a scene can reach from any view of a volume, by interval arithmetic alone: no view is drawn.
   *
-  * The eye stays on a line to the point looked at, so a vertex at a distance r of that point has a w of d - r to d + r, d being the
-  * eye's distance.
+  * The eye stays on a line to the point looked at, so a vertex at a distance r of that point has a w of d - r to d + r,
+  * d being the eye's distance.
   */
 final case class SceneBounds(scene: Scene, volume: CameraVolume, width: Int, height: Int, options: DrawOptions) {
   import scene.camera

@@ -6,7 +6,8 @@ import frustum.driver.scene.{Camera, Scene}
 import frustum.referee.{EndToEnd, Llvmpipe, Seen, WorldPicture, WorldView}
 import frustum.reference.raster.Shading
 
-/** A frame against what the user asked for: drawn once more from the world, by code that shares nothing with the driver.
+/** A frame against what the user asked for: drawn once more from the world, by code that shares nothing with the
+  * driver.
   *
   * @param world       float64's counts, the same on every machine: what bounds are for
   * @param counts      the referee's: of llvmpipe where it is installed, else those of float64

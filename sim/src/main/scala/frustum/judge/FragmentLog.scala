@@ -3,8 +3,8 @@ package frustum.judge
 import frustum.model.raster.FragmentProbe
 import scala.collection.mutable.ArrayBuilder
 
-/** A covered pixel as the model saw it; `texelS`, `texelT` after wrapping, `depth` 0..65535; `drawn` when it passed the tests
-  * of its alpha and depth.
+/** A covered pixel as the model saw it; `texelS`, `texelT` after wrapping, `depth` 0..65535; `drawn` when it passed the
+  * tests of its alpha and depth.
   */
 final case class LoggedFragment(
     triangle: Int,

@@ -3,8 +3,8 @@ package frustum.judge
 import frustum.contract.ray.{RayMotion, RayScene}
 import frustum.reference.ray.ExactRay
 
-/** Judges frames of a ray caster, given as object ids and 0xRRGGBB, against exact arithmetic. A wall or a quad has its paint's
-  * colour or, in shadow, half of it; any other counts as a wrong cell or texel.
+/** Judges frames of a ray caster, given as object ids and 0xRRGGBB, against exact arithmetic. A wall or a quad has its
+  * paint's colour or, in shadow, half of it; any other counts as a wrong cell or texel.
   */
 class RayJudge(scene: RayScene, width: Int, height: Int) {
   private val exact = new ExactRay(scene)

@@ -4,8 +4,8 @@ import frustum.driver.raster.PreparedFrame
 import frustum.reference.raster.{ReferenceRaster, Shading}
 import scala.collection.mutable.ArrayBuffer
 
-/** A frame against the driver's own vertices before they were rounded: what rounding costs. The driver itself is judged by
-  * [[EndToEndJudge]].
+/** A frame against the driver's own vertices before they were rounded: what rounding costs. The driver itself is judged
+  * by [[EndToEndJudge]].
   *
   * @param coverageWrong layers too many or too few, summed over pixels
   * @param texelsWrong   textured layers that read another texel, of pixels with the right number of layers

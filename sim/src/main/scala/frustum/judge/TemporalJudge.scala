@@ -10,16 +10,16 @@ import frustum.reference.raster.{ScreenVertex, TriangleAttributes}
 import scala.collection.mutable
 import scala.math.{cos, sin, sqrt, Pi}
 
-/** What a moving picture shows beside its motion: by how much the error of a texture coordinate changes from one picture to the
-  * next. What is off by the same everywhere and always nobody sees; what changes crawls.
+/** What a moving picture shows beside its motion: by how much the error of a texture coordinate changes from one
+  * picture to the next. What is off by the same everywhere and always nobody sees; what changes crawls.
   *
   * @param swimRms,swimMost change of the error, texels: root mean square, and the greatest
   * @param popsPercent      fragments whose error jumps by half a texel or more, of 100
   */
 final case class TemporalVerdict(swimRms: Double, swimMost: Double, popsPercent: Double)
 
-/** Pans a scene by 1/16 pixel from picture to picture, 30 degrees upwards from the right, so that no step is a whole sub-pixel.
-  * Truth is the scene as it was before vertices were rounded.
+/** Pans a scene by 1/16 pixel from picture to picture, 30 degrees upwards from the right, so that no step is a whole
+  * sub-pixel. Truth is the scene as it was before vertices were rounded.
   */
 object TemporalJudge {
   val Config = RasterConfig(width = 120, height = 160)

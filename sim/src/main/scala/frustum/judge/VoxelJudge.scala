@@ -41,7 +41,8 @@ final case class VoxelCounts(
   ).collect { case (what, n) if n > 0 => s"$n rays see a $what" }
 }
 
-/** Holds the model's rays against exact marching with the same directions, and their directions against the ideal ones. */
+/** Holds the model's rays against exact marching with the same directions, and their directions against the ideal ones.
+  */
 final class VoxelJudge(model: VoxelModel) {
   import model.{assets, config, world}
   private val blocks = new WorldBlocks(world)

@@ -6,8 +6,8 @@ import frustum.model
 import frustum.raster.fragment.Blend
 import scala.util.Random
 
-/** Blending, as `BlendTest` has it: tiles of a few and of all pixels, blended and replaced, over different clear colours, swept while
-  * the next tile is drawn.
+/** Blending, as `BlendTest` has it: tiles of a few and of all pixels, blended and replaced, over different clear
+  * colours, swept while the next tile is drawn.
   */
 object BlendPlan {
   private val config = RasterConfig(19, 21, 3, 3)

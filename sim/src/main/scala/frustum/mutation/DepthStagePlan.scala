@@ -5,7 +5,8 @@ import frustum.model
 import frustum.raster.fragment.DepthStage
 import scala.util.Random
 
-/** The depth test, as `DepthTestTest` has it: every function, written and not, tile after tile, with depths that meet. */
+/** The depth test, as `DepthTestTest` has it: every function, written and not, tile after tile, with depths that meet.
+  */
 object DepthStagePlan {
   private val config = RasterConfig(19, 21, 3, 3)
   private val words = config.tileWidth * config.tileHeight

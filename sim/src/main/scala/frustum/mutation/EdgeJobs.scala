@@ -72,7 +72,9 @@ final class EdgeJobs(config: RasterConfig, r: Random) {
 
 object EdgeJobs {
 
-  /** Clocks, counted from the first, of the six steps and of the three values, each of which follows its edge's last step. */
+  /** Clocks, counted from the first, of the six steps and of the three values, each of which follows its edge's last
+    * step.
+    */
   def times(r: Random): (Seq[Int], Seq[Int]) = {
     val delay = r.between(1, 14)
     val stepAt = (0 to 4).scanLeft(0)((at, _) => at + r.between(1, 5))

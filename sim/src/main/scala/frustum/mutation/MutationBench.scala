@@ -2,8 +2,8 @@ package frustum.mutation
 
 import spinal.core._
 
-/** Drives a netlist through a plan by itself, so that the simulator need not be waited on: steps and expected values lie in
-  * memories. `failed` once a value is wrong or nothing more comes, `done` at the end; both stay.
+/** Drives a netlist through a plan by itself, so that the simulator need not be waited on: steps and expected values
+  * lie in memories. `failed` once a value is wrong or nothing more comes, `done` at the end; both stay.
   */
 final class MutationBench(plan: MutationPlan, ports: Seq[UnitPort], file: String) extends Component {
   val io = new Bundle {
@@ -97,7 +97,8 @@ final class MutationBench(plan: MutationPlan, ports: Seq[UnitPort], file: String
 
 object MutationBench {
 
-  /** Clocks without any progress after which a unit hangs, and after which nothing more comes of one that has done all. */
+  /** Clocks without any progress after which a unit hangs, and after which nothing more comes of one that has done all.
+    */
   val Patience = 2000
   val Rest = 64
 }

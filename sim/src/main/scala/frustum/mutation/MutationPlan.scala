@@ -13,8 +13,8 @@ final case class MutationStep(
     waits: Boolean = false
 )
 
-/** How a unit is put to the test, in clocks, by values that its model gives: what its suite of random and corner inputs does, as
-  * data, so that thousands of runs need no more than one simulation.
+/** How a unit is put to the test, in clocks, by values that its model gives: what its suite of random and corner inputs
+  * does, as data, so that thousands of runs need no more than one simulation.
   *
   * @param waitsFor  the port that steps wait for
   * @param stalled   inputs that are high three times of four, by lot

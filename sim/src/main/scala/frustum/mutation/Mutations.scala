@@ -50,8 +50,8 @@ final class Mutations(yosys: Tool, folder: Path) {
     (ports, mutants)
   }
 
-  /** Whether a mutant is shown to do what the unit does, whatever comes in, from registers and memories that are zero: by ABC's
-    * signal correspondence (van Eijk, 2000), an induction over what is equal in both.
+  /** Whether a mutant is shown to do what the unit does, whatever comes in, from registers and memories that are zero:
+    * by ABC's signal correspondence (van Eijk, 2000), an induction over what is equal in both.
     */
   def isEquivalent(name: String, mutant: Int): Boolean = {
     val halves = Seq("gold" -> 0, "gate" -> mutant).map { case (half, select) =>
@@ -60,10 +60,10 @@ final class Mutations(yosys: Tool, folder: Path) {
     }.mkString
     val commands =
       s"read_rtlil $name.mutants.il; memory_map; simplemap t:*dff*; dffunmap; opt_clean; design -save both; $halves" +
-        "design -copy-from gold gold; design -copy-from gate gate; miter -equiv -flatten -make_outputs gold gate miter; " +
-        "hierarchy -top miter; delete -output miter/o:gold_* miter/o:gate_*; techmap; opt -nodffe -nosdff; setundef -zero; " +
-        "abc -dff -g AND -script +strash;zero;scorr;dc2;scorr;strash;fraig; opt -nodffe -nosdff; delete t:$scopeinfo; " +
-        "select -assert-none t:*"
+        "design -copy-from gold gold; design -copy-from gate gate; miter -equiv -flatten -make_outputs gold gate " +
+        "miter; hierarchy -top miter; delete -output miter/o:gold_* miter/o:gate_*; techmap; opt -nodffe -nosdff; " +
+        "setundef -zero; abc -dff -g AND -script +strash;zero;scorr;dc2;scorr;strash;fraig; opt -nodffe -nosdff; " +
+        "delete t:$scopeinfo; select -assert-none t:*"
     Files.writeString(folder.resolve(s"$name.equivalent.ys"), commands.replace("; ", "\n") + "\n")
     yosys.run(folder, s"$name.$mutant.equivalent.log", Seq("-s", s"$name.equivalent.ys")) == 0
   }

@@ -5,7 +5,9 @@ import frustum.{model, raster}
 import frustum.mutation.MutationPlan.values
 import scala.util.Random
 
-/** The perspective divide, as `PerspectiveDivideTest` has it: corners of all three operands, then random ones of any size. */
+/** The perspective divide, as `PerspectiveDivideTest` has it: corners of all three operands, then random ones of any
+  * size.
+  */
 object PerspectiveDividePlan {
   private val corners =
     Seq(0, 1, -1, Int.MaxValue, Int.MinValue, 1 << 30, 0x3fffffff, 1 << 15, 0xffff, 1 << 16, 1 << 27, 1 << 26)

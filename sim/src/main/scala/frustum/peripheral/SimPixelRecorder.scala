@@ -6,7 +6,8 @@ import spinal.core._
 import spinal.core.sim._
 import spinal.lib._
 
-/** A sink of pixels as simulated hardware: keeps them with the time they came at in a ring, for the JVM to fetch in bulk.
+/** A sink of pixels as simulated hardware: keeps them with the time they came at in a ring, for the JVM to fetch in
+  * bulk.
   *
   * @param entriesLog2 size of the ring
   */

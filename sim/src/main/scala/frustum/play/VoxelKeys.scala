@@ -6,7 +6,8 @@ import java.awt.event.KeyEvent._
 /** A player's buttons from keys. */
 object VoxelKeys {
   val help =
-    "keys: w a s d walk, arrows look, space jumps or rises, shift sinks, q e change the item, c places, x destroys; close the window to end"
+    "keys: w a s d walk, arrows look, space jumps or rises, shift sinks, q e change the item, c places, x destroys; " +
+      "close the window to end"
 
   def apply(keys: Set[Int]): VoxelButtons = VoxelButtons(
     forward = keys(VK_W),

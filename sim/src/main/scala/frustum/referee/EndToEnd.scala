@@ -5,12 +5,14 @@ package frustum.referee
   * @param referee        `llvmpipe` or `world`
   * @param judged         pixels that are not within 1/8 pixel of an edge
   * @param primitiveWrong of these, another triangle of the scene shows
-  * @param texelsWrong    pixels with the right triangle, judged, not within 1/64 texel of a border, that show another texel
-  * @param primitiveUnexplained,texelsUnexplained of these, what vertices on 1/16 pixel and depths of 16 bits do not account
-  *                       for, see [[WorldPicture.explains]]
-  * @param colorWrong     judged pixels with the right triangle and texel in another colour, see [[WorldPicture.sameColor]]
-  * @param refereesDiffer judged pixels at which llvmpipe, in float32, and float64 show different triangles or texels: not
-  *                       counted as wrong
+  * @param texelsWrong    pixels with the right triangle, judged, not within 1/64 texel of a border, that show another
+  *   texel
+  * @param primitiveUnexplained,texelsUnexplained of these, what vertices on 1/16 pixel and depths of 16 bits do not
+  *                       account for, see [[WorldPicture.explains]]
+  * @param colorWrong     judged pixels with the right triangle and texel in another colour, see
+  *   [[WorldPicture.sameColor]]
+  * @param refereesDiffer judged pixels at which llvmpipe, in float32, and float64 show different triangles or texels:
+  *                       not counted as wrong
   */
 final case class EndToEnd(
     referee: String,

@@ -3,8 +3,8 @@ package frustum.referee
 import frustum.driver.linear.Vector3
 import scala.math.{cos, sin, tan, toRadians}
 
-/** A vertex in homogeneous window coordinates: (x, y) / w in pixels from the bottom left corner, z / w the depth from -1
-  * (near) to 1 (far), w the distance along the line of sight (1 in an orthographic view).
+/** A vertex in homogeneous window coordinates: (x, y) / w in pixels from the bottom left corner, z / w the depth from
+  * -1 (near) to 1 (far), w the distance along the line of sight (1 in an orthographic view).
   */
 final case class WindowVertex(x: Double, y: Double, z: Double, w: Double)
 

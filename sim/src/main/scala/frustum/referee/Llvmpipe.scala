@@ -5,8 +5,8 @@ import frustum.driver.scene.{Material, MeshVertex, TextureImage}
 import frustum.reference.raster.MesaProgram
 import java.util.Locale
 
-/** A picture drawn by Mesa's llvmpipe from the world: its own matrices, lighting, clipping, culling, texturing and depth,
-  * in float32. Positions are given as seen from the eye, so that float32 holds them wherever the scene lies.
+/** A picture drawn by Mesa's llvmpipe from the world: its own matrices, lighting, clipping, culling, texturing and
+  * depth, in float32. Positions are given as seen from the eye, so that float32 holds them wherever the scene lies.
   *
   * @param seen    by drawings with triangle numbers, and with texel numbers, in place of colours
   * @param picture 0xRRGGBB, rows from the top

@@ -1,7 +1,7 @@
 package frustum.referee
 
-/** What each pixel shows, rows from the top: the scene's triangle of the last opaque fragment and of the last fragment of
-  * all, -1 where there is none, and the texel of each, [[Seen.NoTexel]] where there is no texture.
+/** What each pixel shows, rows from the top: the scene's triangle of the last opaque fragment and of the last fragment
+  * of all, -1 where there is none, and the texel of each, [[Seen.NoTexel]] where there is no texture.
   */
 final class Seen(pixels: Int) {
   val opaque, top: Array[Int] = Array.fill(pixels)(-1)

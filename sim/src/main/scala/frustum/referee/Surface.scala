@@ -6,10 +6,10 @@ import scala.math.floor
 
 /** A triangle of the scene as it stands in the window, with what its material says.
   *
-  * Light is that of OpenGL's fixed function (OpenGL 2.1, 2.14.1): a directional light of diffuse 0.8, an ambient of 0.2,
-  * the vertex's colour as both materials: c (0.2 + 0.8 max(0, n . l)), per vertex. Texture environment: GL_MODULATE, or
-  * GL_REPLACE where there is no light for a texture to hide (table 3.21); without alpha in the texture the fragment keeps
-  * the vertex's.
+  * Light is that of OpenGL's fixed function (OpenGL 2.1, 2.14.1): a directional light of diffuse 0.8, an ambient of
+  * 0.2, the vertex's colour as both materials: c (0.2 + 0.8 max(0, n . l)), per vertex. Texture environment:
+  * GL_MODULATE, or GL_REPLACE where there is no light for a texture to hide (table 3.21); without alpha in the texture
+  * the fragment keeps the vertex's.
   */
 final class Surface(view: WorldView, space: EyeSpace, val index: Int) {
   private val triangle = view.scene.triangles(index)

@@ -23,7 +23,8 @@ object Color {
     Color((argb >> 16 & 255).toDouble, (argb >> 8 & 255).toDouble, (argb & 255).toDouble, (argb >>> 24) / 255.0)
 }
 
-/** Nearest sampling (OpenGL 2.1, 3.8.7 and 3.8.8): texel i = floor(u) with u = s * width, row j from the bottom row up. */
+/** Nearest sampling (OpenGL 2.1, 3.8.7 and 3.8.8): texel i = floor(u) with u = s * width, row j from the bottom row up.
+  */
 object Texturing {
 
   /** The texel that index `i` of a side of `size` stands for: GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT. */

@@ -2,8 +2,8 @@ package frustum.referee
 
 import scala.math.{cos, hypot, sin, toRadians}
 
-/** Rays of a picture of a voxel world by the contract of the command line: z is up; the ray of pixel (i, j), j downwards, is
-  * look + right (i + 0.5 - width / 2) / focal + up (height / 2 - j - 0.5) / focal.
+/** Rays of a picture of a voxel world by the contract of the command line: z is up; the ray of pixel (i, j), j
+  * downwards, is look + right (i + 0.5 - width / 2) / focal + up (height / 2 - j - 0.5) / focal.
   *
   * @param eye   in blocks
   * @param look  unit length

@@ -21,8 +21,8 @@ final case class Line(a: Double, b: Double, c: Double) {
   def +(o: Line): Line = Line(a + o.a, b + o.b, c + o.c)
 }
 
-/** A triangle in the window, also where it reaches behind the eye: scan conversion by homogeneous coordinates (Olano and
-  * Greer, "Triangle scan conversion using 2D homogeneous coordinates", 1997), which needs no clipping.
+/** A triangle in the window, also where it reaches behind the eye: scan conversion by homogeneous coordinates (Olano
+  * and Greer, "Triangle scan conversion using 2D homogeneous coordinates", 1997), which needs no clipping.
   *
   * With the vertices v_i = (x, y, w) the edge functions are E_i = (v_j x v_k) . (x, y, 1), and E_i / sum E are the
   * perspective-correct barycentric coordinates of the point seen there. The sum of E_i f_i over a linear f is linear in

@@ -2,9 +2,9 @@ package frustum.referee
 
 /** A picture drawn in float64 from the world, and what may be judged by it.
   *
-  * A pixel is `judged` when its centre lies farther than [[WorldPicture.EdgeMargin]] from every edge that is in view there,
-  * and, where a texture decides by its alpha what shows, farther than [[WorldPicture.TexelMargin]] from its texels' borders.
-  * Its texels are judged when the textures in view keep that distance as well.
+  * A pixel is `judged` when its centre lies farther than [[WorldPicture.EdgeMargin]] from every edge that is in view
+  * there, and, where a texture decides by its alpha what shows, farther than [[WorldPicture.TexelMargin]] from its
+  * texels' borders. Its texels are judged when the textures in view keep that distance as well.
   */
 final class WorldPicture(val view: WorldView) {
   import WorldPicture._
@@ -68,9 +68,9 @@ final class WorldPicture(val view: WorldView) {
     reach * (slope(s.window.depth) + slope(surfaces(front).window.depth)) + DepthSteps / 65535
   }
 
-  /** Whether quantisation accounts for a pixel that shows triangle `other` in place of `mine`: vertices on 1/16 pixel move
-    * what is seen by [[Snap]] along each axis at most, depths of 16 bits tell no closer ones apart, and texels that are
-    * kept or dropped by their alpha move with the vertices.
+  /** Whether quantisation accounts for a pixel that shows triangle `other` in place of `mine`: vertices on 1/16 pixel
+    * move what is seen by [[Snap]] along each axis at most, depths of 16 bits tell no closer ones apart, and texels
+    * that are kept or dropped by their alpha move with the vertices.
     */
   def explains(at: Int, mine: Int, other: Int): Boolean = {
     def mayVanish(i: Int) = i >= 0 && surfaces(i).alphaTest.isDefined && borderWithin(surfaces(i), at)
@@ -81,8 +81,8 @@ final class WorldPicture(val view: WorldView) {
     })
   }
 
-  /** Whether quantisation accounts for another texel of a triangle at a pixel: one that is seen within [[Snap]] of its centre,
-    * coordinates being off by as much as 16 bits of 1/w allow.
+  /** Whether quantisation accounts for another texel of a triangle at a pixel: one that is seen within [[Snap]] of its
+    * centre, coordinates being off by as much as 16 bits of 1/w allow.
     */
   def explainsTexel(at: Int, triangle: Int, texel: Int): Boolean = {
     val s = surfaces(triangle)
@@ -128,7 +128,9 @@ object WorldPicture {
   val EdgeMargin: Double = 1.0 / 8
   val TexelMargin: Double = 1.0 / 64
 
-  /** Snapping to 1/16 pixel moves a vertex by 1/32 along each axis at most, and what is seen by no more than the vertices. */
+  /** Snapping to 1/16 pixel moves a vertex by 1/32 along each axis at most, and what is seen by no more than the
+    * vertices.
+    */
   val Snap: Double = 1.0 / 32
 
   /** Steps of 1/65535 by which depths of 16 bits may be off. */

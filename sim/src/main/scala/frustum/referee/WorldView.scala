@@ -33,8 +33,8 @@ final case class WorldView(
     Vec(half(_.x), half(_.y), half(_.z))
   }
 
-  /** Indices of the scene's triangles in the order of drawing: what is opaque as it is listed, then what is blended, the
-    * farthest centroid along the line of sight first.
+  /** Indices of the scene's triangles in the order of drawing: what is opaque as it is listed, then what is blended,
+    * the farthest centroid along the line of sight first.
     */
   val order: IndexedSeq[Int] = {
     val space = EyeSpace(this)

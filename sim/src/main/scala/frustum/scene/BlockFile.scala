@@ -7,10 +7,10 @@ import frustum.files.{JsonDocument, JsonFile}
 import java.nio.file.Path
 import scala.collection.mutable
 
-/** A table of blocks as JSON: a list, the first with id 1, of
-  * `{"name": "grass", "top": "grass", "bottom": "dirt", "side": "grass side", "opaque": true, "selectable": true, "joins": false}`.
-  * `"texture"` stands for all faces not named; the flags may be left out (true, true, false). A texture is one of the
-  * workbench's by its name or a PNG file of 16 x 16, beside the JSON file, with at most 16 colours.
+/** A table of blocks as JSON: a list, the first with id 1, of `{"name": "grass", "top": "grass", "bottom": "dirt",
+  * "side": "grass side", "opaque": true, "selectable": true, "joins": false}`. `"texture"` stands for all faces not
+  * named; the flags may be left out (true, true, false). A texture is one of the workbench's by its name or a PNG file
+  * of 16 x 16, beside the JSON file, with at most 16 colours.
   */
 object BlockFile {
   private val Keys = Seq("name", "texture", "top", "bottom", "side", "opaque", "selectable", "joins")

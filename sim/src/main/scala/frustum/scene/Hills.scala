@@ -5,7 +5,8 @@ import frustum.demos.voxel.Blocks
 import scala.math.floor
 import scala.util.Random
 
-/** A world from a seed: hills with snow on the highest, lakes with beaches, caves with ore, trees and a hut of glass. */
+/** A world from a seed: hills with snow on the highest, lakes with beaches, caves with ore, trees and a hut of glass.
+  */
 object Hills {
   def apply(size: WorldSize, seed: Long): VoxelWorld = {
     val surface = Array.tabulate(size.x, size.y) { (x, y) =>

@@ -90,7 +90,8 @@ object ObjScene {
       val whole = if (unseen.length == obj.faces.length) "the whole mesh" else s"a face of material '${m.name}'"
       notices.at(
         f.material.fold(f.line.place)(_.line.place),
-        s"$whole is wholly transparent ('d 0', 'Tr 1' or its picture), so nothing of it is seen; write 'd 1' for opaque",
+        s"$whole is wholly transparent ('d 0', 'Tr 1' or its picture), so nothing of it is seen; write 'd 1' for " +
+          "opaque",
         s"transparent ${m.name}"
       )
     }

@@ -20,13 +20,16 @@ import java.nio.file.Path
 /** A ray-cast scene as JSON. Every key may be left out and is then that of `base`:
   *
   *   - `camera`: `{"eye": [x, y, z], "focal": n}`, looking along +z with `focal` pixels to the screen plane; or
-  *     `{"eye", "corner", "right", "down"}`, vectors of the ray of pixel (h, v): corner + h right + v down; or, for one that
-  *     moves, `{"low": {four vectors}, "high": {four vectors}, "lengths": [least, greatest]}` with the lengths of its rays
-  *   - `room`: `{"low": [x, y, z], "high": [x, y, z], "cellBits": n}`, checker cells of 2^n units; with `"walls"`, any of
-  *     `"left", "right", "floor", "ceiling", "back"`, each painted otherwise: `{"cellBits": n}`, `{"color": c}`, or
-  *     `{"image": "FILE.png", "texelBits": n}`, nearest texels of 2^n units, sides that are powers of two, the file beside this one
+  *     `{"eye", "corner", "right", "down"}`, vectors of the ray of pixel (h, v): corner + h right + v down; or, for one
+  *     that moves, `{"low": {four vectors}, "high": {four vectors}, "lengths": [least, greatest]}` with the lengths of
+  *     its rays
+  *   - `room`: `{"low": [x, y, z], "high": [x, y, z], "cellBits": n}`, checker cells of 2^n units; with `"walls"`, any
+  *     of `"left", "right", "floor", "ceiling", "back"`, each painted otherwise: `{"cellBits": n}`, `{"color": c}`, or
+  *     `{"image": "FILE.png", "texelBits": n}`, nearest texels of 2^n units, sides that are powers of two, the file
+  *     beside this one
   *   - `spheres`: each `{"low", "high", "radius", "color"}`, its centre staying between low and high; or `"centre"`
-  *   - `quads`: each `{"low", "high", "half", "color"}` or with `"centre"`, squares on the back wall; `"image"` and `"texelBits"` for `"color"`
+  *   - `quads`: each `{"low", "high", "half", "color"}` or with `"centre"`, squares on the back wall; `"image"` and
+  *     `"texelBits"` for `"color"`
   *   - `light`: `[x, y, z]`, or `null`; `background`: a colour
   *
   * Coordinates are whole units; colours are strings of six hexadecimal digits. Keys that are not known are errors.

@@ -9,7 +9,9 @@ import frustum.model.ray.RayPicture
 /** Spheres in the room of pong, the model held against exact arithmetic. */
 object RaySweeps {
 
-  /** Over a screen that many pixels wide; greatest colour error, 255 when a silhouette, a shadow, a checker cell or an object is wrong anywhere. */
+  /** Over a screen that many pixels wide; greatest colour error, 255 when a silhouette, a shadow, a checker cell or an
+    * object is wrong anywhere.
+    */
   private def error(width: Int, centre: IntVector, radius: Int, light: IntVector): Double = {
     val height = width * 3 / 4
     val scene = PongScene.room(width, height, 640 / width).copy(

@@ -128,7 +128,9 @@ object SceneSweeps {
     100.0 * picture.count(_ != 0x00ff00) / picture.length
   }
 
-  /** A triangle that reaches `screens` beyond the screen: pixels covered otherwise than before it was clipped and rounded. */
+  /** A triangle that reaches `screens` beyond the screen: pixels covered otherwise than before it was clipped and
+    * rounded.
+    */
   private def overhang(screens: Double): Double = {
     val corners =
       Seq((-0.3 - screens, -0.2), (0.4 + screens / 3, -0.4 - screens), (0.1 + screens, 0.3 + screens))

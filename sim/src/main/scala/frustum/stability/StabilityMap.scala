@@ -10,8 +10,9 @@ import java.nio.file.{Files, Path}
 /** All sweeps as bars, one under the other, each along its own range. */
 object StabilityMap {
   val HowToRead: String =
-    "Each bar runs through one quantity, evenly by its logarithm (or evenly where it is a whole number): green within the method's bound, yellow beyond it and " +
-      "of use, red broken, grey refused. The black line below a bar is the declared domain, the blue one where compared systems work."
+    "Each bar runs through one quantity, evenly by its logarithm (or evenly where it is a whole number): green " +
+      "within the method's bound, yellow beyond it and of use, red broken, grey refused. The black line below a bar " +
+      "is the declared domain, the blue one where compared systems work."
 
   private val colors = Map[Stability, Color](
     Stability.Safe -> new Color(0x4caf6d),

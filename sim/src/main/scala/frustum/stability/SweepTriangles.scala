@@ -25,7 +25,9 @@ private[stability] object SweepTriangles {
     )
   }
 
-  /** Triangles over most of the small screen; texture coordinates from near 0 at the nearest vertex, as the driver makes them. */
+  /** Triangles over most of the small screen; texture coordinates from near 0 at the nearest vertex, as the driver
+    * makes them.
+    */
   def slanted(ratio: Double, repeats: Double): Seq[Seq[PackedVertex]] = {
     val r = new Random(Seed)
     def position() = r.nextInt(64 * 16)

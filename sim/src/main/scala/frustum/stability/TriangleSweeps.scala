@@ -17,8 +17,8 @@ import frustum.reference.raster.{Attributes, ExactCoverage, ScreenVertex, Triang
 import scala.collection.mutable.ArrayBuffer
 import scala.math.{floor, round, scalb}
 
-/** Single triangles through the model of set-up, walker and perspective divide, beside float64. The hardware's door, which refuses
-  * vertices out of range, is [[PackedVertex.fault]].
+/** Single triangles through the model of set-up, walker and perspective divide, beside float64. The hardware's door,
+  * which refuses vertices out of range, is [[PackedVertex.fault]].
   */
 object TriangleSweeps {
   import SweepTriangles._
@@ -85,7 +85,9 @@ object TriangleSweeps {
     CoverageJudge.judge(p, logged(config, p), config).wrong.toDouble
   }
 
-  /** A rectangle in three triangles: two meet a vertex half-way along the third's long edge, which lies `off` beside it. */
+  /** A rectangle in three triangles: two meet a vertex half-way along the third's long edge, which lies `off` beside
+    * it.
+    */
   private def junction(off: Int): Double = {
     val Seq(a, b, c, d) = Seq((100, 100), (1900, 500), (1500, 1900), (100, 1500))
     val m = ((a._1 + c._1) / 2 + off, (a._2 + c._2) / 2)

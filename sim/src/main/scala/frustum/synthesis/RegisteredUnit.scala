@@ -2,8 +2,8 @@ package frustum.synthesis
 
 import spinal.core._
 
-/** A unit between registers and with two data pins, so that place and route tells the clock of the unit and of nothing else: its
-  * inputs come from a shift register, its outputs go to registers that are folded into another one.
+/** A unit between registers and with two data pins, so that place and route tells the clock of the unit and of nothing
+  * else: its inputs come from a shift register, its outputs go to registers that are folded into another one.
   */
 final class RegisteredUnit(make: => Component) extends Component {
   val io = new Bundle {

@@ -9,8 +9,8 @@ import java.security.MessageDigest
 /** Cells of the iCE40 that yosys makes of one unit. A logic cell holds a LUT and a flip-flop; how many share one is the
   * placer's business, so both are told.
   *
-  * @param clockMHz of the unit alone on the UP5K, the slowest of [[UnitCosts.Seeds]] placements; None where it was not placed or
-  *   does not fit
+  * @param clockMHz of the unit alone on the UP5K, the slowest of [[UnitCosts.Seeds]] placements; None where it was not
+  *   placed or does not fit
   */
 final case class UnitCost(
     luts: Int,

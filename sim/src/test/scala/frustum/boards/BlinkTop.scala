@@ -5,7 +5,8 @@ import frustum.device.{SinglePortRam, Tech}
 import spinal.core._
 import spinal.lib._
 
-/** A small design with everything the flow has to deal with: PLL, reset from a pin, a second clock, SPRAM, block RAM. */
+/** A small design with everything the flow has to deal with: PLL, reset from a pin, a second clock, SPRAM, block RAM.
+  */
 case class BlinkTop(coreMHz: BigDecimal, tech: Tech) extends Component {
   val io = new Bundle {
     val clk, resetn, sck = in Bool ()

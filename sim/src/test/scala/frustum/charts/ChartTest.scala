@@ -46,7 +46,8 @@ class ChartTest extends AnyFunSuite {
   }
 
   test(
-    "roots: a line quarters its error with each index bit; the shade's tables are no worse than a line of as many entries"
+    "roots: a line quarters its error with each index bit; the shade's tables are no worse than a line of as many " +
+      "entries"
   ) {
     for (chart <- RootFamily.charts(None)) {
       val line = series(chart, "table and line")

@@ -7,8 +7,8 @@ import spinal.core._
 import java.nio.file.{Files, Path, Paths}
 import scala.jdk.CollectionConverters._
 
-/** Shows by SymbiYosys and z3 that no assertion of a component can fail. A test that needs it is cancelled with a notice
-  * where a tool is missing.
+/** Shows by SymbiYosys and z3 that no assertion of a component can fail. A test that needs it is cancelled with a
+  * notice where a tool is missing.
   */
 object Prover extends Assertions {
   private val folder = Paths.get("simWorkspace", "formal")
@@ -31,8 +31,8 @@ object Prover extends Assertions {
       catch { case missing: MissingTool => Left(missing.message) }
   }
 
-  /** By induction: from any state that keeps the assertions for `depth` clocks follows one that keeps them, and so do the
-    * first `depth` clocks after reset.
+  /** By induction: from any state that keeps the assertions for `depth` clocks follows one that keeps them, and so do
+    * the first `depth` clocks after reset.
     */
   def prove(name: String, depth: Int)(top: => Component): Unit = {
     val tool = sby.fold(notice => cancel(s"nothing is proved: $notice"), identity)

@@ -2,8 +2,8 @@ package frustum.harness
 
 import org.scalatest.{Suite, SuiteMixin, Tag}
 
-/** Marks a test that simulates with Verilator: `./sbt quick` leaves it out. A test that simulates without the mark fails
-  * there.
+/** Marks a test that simulates with Verilator: `./sbt quick` leaves it out. A test that simulates without the mark
+  * fails there.
   */
 object Simulated extends Tag("frustum.harness.Simulated")
 

@@ -22,8 +22,8 @@ import frustum.raster.texture.LateDivide
 import frustum.scene.Scenes
 import org.scalatest.funsuite.AnyFunSuite
 
-/** Hardware made for less than everything: it draws what its model draws, what it can draw it draws as the whole does, and the rest
-  * is refused.
+/** Hardware made for less than everything: it draws what its model draws, what it can draw it draws as the whole does,
+  * and the rest is refused.
   */
 class FittedPipelineTest extends AnyFunSuite {
   private val seed = 1

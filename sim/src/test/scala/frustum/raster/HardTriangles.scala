@@ -3,7 +3,8 @@ package frustum.raster
 import frustum.contract.raster.{FramePass, PackedTriangle, PackedVertex, RasterConfig, RenderState, TileRegion}
 import scala.util.Random
 
-/** Triangles that find faults in set-up, edges and walker. Positions in 1/16 pixel, attributes anything the link lets in.
+/** Triangles that find faults in set-up, edges and walker. Positions in 1/16 pixel, attributes anything the link lets
+  * in.
   */
 final class HardTriangles(config: RasterConfig, r: Random) {
   private type Point = (Int, Int)

@@ -9,8 +9,8 @@ import org.scalatest.funsuite.AnyFunSuite
 import scala.collection.mutable.ArrayBuffer
 import scala.util.Random
 
-/** Which pixels the bit-exact set-up and walker cover, against the exact judge: not one may differ. [[RasterizerTest]] holds
-  * the hardware to the model on the same kinds of triangles.
+/** Which pixels the bit-exact set-up and walker cover, against the exact judge: not one may differ. [[RasterizerTest]]
+  * holds the hardware to the model on the same kinds of triangles.
   */
 class RasterizerCoverageTest extends AnyFunSuite {
   private val seed = 5
@@ -53,7 +53,8 @@ class RasterizerCoverageTest extends AnyFunSuite {
 
   for (config <- Seq(RasterConfig(64, 48, 3, 3), RasterConfig(128, 96), RasterConfig(97, 65, 5, 4)))
     test(
-      s"meshes cover each pixel once, ${config.width} x ${config.height}, tiles of ${config.tileWidth} x ${config.tileHeight}"
+      s"meshes cover each pixel once, ${config.width} x ${config.height}, tiles of ${config.tileWidth} x " +
+        s"${config.tileHeight}"
     ) {
       val hard = new HardTriangles(config, new Random(seed))
       val (w, h) = (16 * config.width + 152, 16 * config.height + 152)

@@ -1,6 +1,8 @@
 package frustum.raster
 
 import frustum.contract.raster.{
+  Combine,
+  DepthFunction,
   FramePass,
   PackedTriangle,
   PackedVertex,
@@ -11,7 +13,10 @@ import frustum.contract.raster.{
   StoredState,
   StoredTriangle,
   StoredVertex,
-  TileRegion
+  TexelFormat,
+  TextureRef,
+  TileRegion,
+  Wrap
 }
 import frustum.harness.{FrustumSim, Simulated}
 import frustum.model
@@ -55,6 +60,60 @@ case class RasterizerBench(config: RasterConfig, latency: Int) extends Component
     bus.rsp.valid := Delay(bus.cmd.fire, latency, init = False)
     bus.rsp.payload := Delay(store.readSync(bus.cmd.address), latency - 1)
   }
+}
+
+/** A triangle, and the words of its store as docs/commands.md gives them, so that they do not follow the tables of
+  * [[frustum.contract.raster]]. A store word is two words of the wire, the first in the upper half. With 1024 vertices
+  * and 1024 triangles, word k of vertex i is at 0x400 k + i, state i at 0x1400 + i, word k of triangle i at 0x1800 + 2
+  * i + k.
+  */
+private object HandWritten {
+
+  /** By index; s and t in units of 2^-16 repeats. */
+  val vertices: Seq[(Int, PackedVertex)] = Seq(
+    0x005 -> PackedVertex(0x010, 0x020, 0x1234, 0x8000, 16, 0, 0, 0x11, 0x22, 0x33, 0x44),
+    0x123 -> PackedVertex(0x390, 0x030, 0x2345, 0x9000, 15, 0xa000, -0x8000, 0x55, 0x66, 0x77, 0x88),
+    0x2a7 -> PackedVertex(0x100, 0x240, 0x4567, 0xa000, 16, -0x14000, 0x18000, 0x99, 0xaa, 0xbb, 0xcc)
+  )
+
+  val state: RenderState = RenderState(
+    Some(TextureRef(base = 5, log2Width = 5, log2Height = 6, TexelFormat.Rgba4444)),
+    Wrap.Clamp,
+    Wrap.Mirror,
+    Combine.Modulate,
+    DepthFunction.LessEq,
+    depthWrite = true,
+    blend = true,
+    alphaRef = 9
+  )
+
+  val image: Map[Int, Long] = Map(
+    // x, y | z, qMantissa | qExponent << 27, s in bits 24..0 | frame 0x55 << 25, t in bits 24..0 | r, g, b, a
+    0x0005 -> 0x00100020L,
+    0x0405 -> 0x12348000L,
+    0x0805 -> 0x80000000L, // 16 << 27, s = 0
+    0x0c05 -> 0xaa000000L, // t = 0
+    0x1005 -> 0x11223344L,
+    0x0123 -> 0x03900030L,
+    0x0523 -> 0x23459000L,
+    0x0923 -> 0x7800a000L, // 15 << 27, s = 0xa000
+    0x0d23 -> 0xabff8000L, // t = 2^25 - 0x8000
+    0x1123 -> 0x55667788L,
+    0x02a7 -> 0x01000240L,
+    0x06a7 -> 0x4567a000L,
+    0x0aa7 -> 0x81fec000L, // 16 << 27, s = 2^25 - 0x14000
+    0x0ea7 -> 0xaa018000L, // t = 0x18000
+    0x12a7 -> 0x99aabbccL,
+    // State 11. First half: RGBA4444 1 << 15, height 6 - 3 << 12, width 5 - 3 << 9, base 5. Second half: alpha
+    // reference 9 << 11, blend 1 << 10, depth write 1 << 9, less or equal 3 << 6, modulate 2 << 4, mirror 2 << 2, clamp
+    // 1.
+    0x140b -> 0xb4054ee9L,
+    // v0 = 5 << 20, v1 = 0x123 << 10, v2 = 0x2a7
+    0x1800 -> 0x00548ea7L,
+    // State 11 << 28. Tiles of 16 x 16 pixels: columns 0 to 3 (<< 10), as x is 1 to 57 pixels; rows 0 to 2, y is 2 to
+    // 36.
+    0x1801 -> 0xb0000c02L
+  )
 }
 
 class RasterizerTest extends AnyFunSuite with Simulated {
@@ -110,9 +169,11 @@ class RasterizerTest extends AnyFunSuite with Simulated {
   private val benches = collection.mutable.Map.empty[Any, SimCompiled[RasterizerBench]]
   private def compiled(config: RasterConfig, latency: Int) = benches.getOrElseUpdate(
     (config, latency), {
-      val name =
-        s"RasterizerBench_${config.width}x${config.height}_${config.tileWidth}x${config.tileHeight}_${config.slots}_$latency"
-      FrustumSim.compile(name)(RasterizerBench(config, latency))
+      val (screen, tile) = (s"${config.width}x${config.height}", s"${config.tileWidth}x${config.tileHeight}")
+      FrustumSim.compile(s"RasterizerBench_${screen}_${tile}_${config.slots}_$latency")(RasterizerBench(
+        config,
+        latency
+      ))
     }
   )
 
@@ -121,7 +182,8 @@ class RasterizerTest extends AnyFunSuite with Simulated {
       latency: Int,
       passes: Seq[FramePass],
       stalls: Seq[Double],
-      seed: Int
+      seed: Int,
+      image: FramePass => Map[Int, BigInt]
   ): Unit = {
     val expected = ArrayBuffer.empty[String]
     passes.foreach { pass =>
@@ -186,7 +248,7 @@ class RasterizerTest extends AnyFunSuite with Simulated {
             dut.io.stall #= (0 until 3).map(n => if (simRandom.nextDouble() < rate) 1 << n else 0).sum
           }
         passes.zipWithIndex.foreach { case (pass, n) =>
-          image(pass, config).foreach { case (at, w) =>
+          image(pass).foreach { case (at, w) =>
             dut.store.setBigInt(((n & 1) << (StoreLayout(config).addressBits - 1)) + at, w)
           }
           dut.clockDomain.waitSampling()
@@ -204,6 +266,7 @@ class RasterizerTest extends AnyFunSuite with Simulated {
         val wrong = got.indices.find(i => i >= expected.length || got(i) != expected(i))
         wrong.foreach(i => fail(s"seed $seed stalls $rate fragment $i: got ${got(i)}, should be ${expected.lift(i)}"))
         assert(got.length == expected.length, s"seed $seed stalls $rate")
+        assert(got.exists(_ != "end"), s"seed $seed stalls $rate: no fragment")
       }
     }
   }
@@ -243,7 +306,8 @@ class RasterizerTest extends AnyFunSuite with Simulated {
   private val odd = RasterConfig(width = 97, height = 50, tileLog2Width = 5, tileLog2Height = 3, slots = 5)
   for ((config, latency) <- Seq((usual, 2), (smallest, 1), (odd, 3)))
     test(
-      s"fragments equal the model's, tiles of ${config.tileWidth} x ${config.tileHeight}, ${config.slots} slots, store answers after $latency clocks"
+      s"fragments equal the model's, tiles of ${config.tileWidth} x ${config.tileHeight}, ${config.slots} slots, " +
+        s"store answers after $latency clocks"
     ) {
       val seed = 7
       val r = new Random(seed)
@@ -252,13 +316,25 @@ class RasterizerTest extends AnyFunSuite with Simulated {
         latency,
         Seq(randomPass(r, config, 0, 5), randomPass(r, config, 1, 30), randomPass(r, config, 2, 3)),
         Seq(0.0, 0.4),
-        seed
+        seed,
+        image(_, config)
       )
     }
 
   test("fragments equal the model's for slivers, needles, huge and degenerate triangles") {
     val seed = 8
     val hard = new HardTriangles(usual, new Random(seed))
-    check(usual, 2, (0 to 2).map(hard.pass(4 * hard.kinds.size, _)), Seq(0.0), seed)
+    check(usual, 2, (0 to 2).map(hard.pass(4 * hard.kinds.size, _)), Seq(0.0), seed, image(_, usual))
+  }
+
+  test("fragments equal the model's where the store's words are written by hand") {
+    val states = IndexedSeq.fill(11)(RenderState()) :+ HandWritten.state
+    // The model takes vertices by index; the hardware gets no words of those that the triangle does not name.
+    val vertices = HandWritten.vertices.foldLeft(IndexedSeq.fill(680)(HandWritten.vertices.head._2)) {
+      case (all, (index, vertex)) => all.updated(index, vertex)
+    }
+    val triangle = PackedTriangle(state = 11, 5, 0x123, 0x2a7)
+    val pass = FramePass(0x55, 0, TileRegion.whole(usual), states, vertices, IndexedSeq(triangle))
+    check(usual, 2, Seq(pass), Seq(0.0), seed = 9, _ => HandWritten.image.map { case (at, w) => at -> BigInt(w) })
   }
 }

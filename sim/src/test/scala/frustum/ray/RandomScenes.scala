@@ -28,7 +28,9 @@ object RandomScenes {
       scene.quads.map(q => within(r, q.low, q.high))
     )
 
-  /** Pong with a camera that goes where it likes before the room or, its puck staying at the back, in it, and turns as it likes. */
+  /** Pong with a camera that goes where it likes before the room or, its puck staying at the back, in it, and turns as
+    * it likes.
+    */
   def moving(width: Int, height: Int, pixel: Int, inside: Boolean): RayScene = {
     val pong = PongScene.room(width, height, pixel)
     def all(n: Int) = (IntVector(-n, -n, -n), IntVector(n, n, n))

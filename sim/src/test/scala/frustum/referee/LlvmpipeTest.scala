@@ -8,7 +8,8 @@ import frustum.judge.Psnr
 import frustum.scene.Scenes
 import org.scalatest.funsuite.AnyFunSuite
 
-/** Two referees of different descent, float64 and Mesa, show the same. Skipped where libosmesa6-dev or gcc is missing. */
+/** Two referees of different descent, float64 and Mesa, show the same. Skipped where libosmesa6-dev or gcc is missing.
+  */
 class LlvmpipeTest extends AnyFunSuite {
   private def compare(name: String, view: WorldView): Unit = {
     val mesa = Llvmpipe.draw(view).getOrElse(cancel("Mesa is not here: install libosmesa6-dev and gcc"))

@@ -27,8 +27,8 @@ class PlantedFaultsTest extends AnyFunSuite {
 
   for (fault <- PlantedFaults.all) test(s"the referee finds: ${fault.name}") {
     for (e <- found(verdict(fault.asked, fault.faulty))) {
-      info(f"${e.referee}%-8s ${e.unexplainedPercent}%6.2f %% unexplained, bound $bound %%: ${e.primitiveUnexplained} primitives, " +
-        s"${e.texelsUnexplained} texels, ${e.colorWrong} colours of ${e.judged}")
+      info(f"${e.referee}%-8s ${e.unexplainedPercent}%6.2f %% unexplained, bound $bound %%: " +
+        f"${e.primitiveUnexplained} primitives, ${e.texelsUnexplained} texels, ${e.colorWrong} colours of ${e.judged}")
       assert(e.unexplainedPercent > 10 * bound, e)
     }
   }

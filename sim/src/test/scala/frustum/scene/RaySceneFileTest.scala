@@ -122,7 +122,8 @@ class RaySceneFileTest extends AnyFunSuite {
       "inside sphere 0",
       "20"
     ),
-    """{"spheres": [{"centre": [0,0,100], "radius": 20, "color": "ff0000"}, {"centre": [0,30,110], "radius": 12, "color": "00ff00"}]}""" -> Seq(
+    """{"spheres": [{"centre": [0,0,100], "radius": 20, "color": "ff0000"},
+      |  {"centre": [0,30,110], "radius": 12, "color": "00ff00"}]}""".stripMargin -> Seq(
       "spheres 0 and 1 may intersect",
       "20 and 12",
       "1000",

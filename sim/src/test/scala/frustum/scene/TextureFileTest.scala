@@ -53,7 +53,8 @@ class TextureFileTest extends AnyFunSuite {
         for (read <- Seq(() => TextureFile.read(file), () => TextureFile.size(file, None)))
           assert(intercept[InputError](
             read()
-          ).message == s"$file: the picture is damaged (the checksum of its chunk $kind is wrong); save it again as PNG")
+          ).message == s"$file: the picture is damaged (the checksum of its chunk $kind is wrong); save it again as " +
+            "PNG")
       }
       val wider = whole.clone
       wider(19) = 16

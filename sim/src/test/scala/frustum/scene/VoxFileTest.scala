@@ -135,7 +135,8 @@ class VoxFileTest extends AnyFunSuite {
     val turn = Seq("_r" -> "17", "_t" -> "1 2 3")
     val nodes = transform(0, 1)(Nil) ++ group(1, 2, 6) ++ transform(2, 3)(turn) ++ group(3, 4) ++
       transform(4, 5)(Seq("_t" -> "5 0 0")) ++ shape(5, 0) ++ transform(6, 7)(Seq("_t" -> "0 0 0")) ++ shape(7, 1)
-    // The inner one puts the voxel at (5, 0, 0); its middle (5.5, 0.5, 0.5) turns to (-0.5, 5.5, 0.5), then moves by (1, 2, 3).
+    // The inner one puts the voxel at (5, 0, 0); its middle (5.5, 0.5, 0.5) turns to (-0.5, 5.5, 0.5), then moves by
+    // (1, 2, 3).
     val r = read(file(full((1, 1, 1), 1), full((1, 1, 1), 2), nodes, colors)).shape
     assert(r == Map((0, 7, 3) -> red, (0, 0, 0) -> green))
   }

@@ -8,7 +8,9 @@ import org.scalatest.funsuite.AnyFunSuite
 import scala.math.{exp, log}
 import scala.util.Random
 
-/** Every method keeps its bound where it is declared valid, and is nowhere broken in silence; the search for borders finds them. */
+/** Every method keeps its bound where it is declared valid, and is nowhere broken in silence; the search for borders
+  * finds them.
+  */
 class StabilityTest extends AnyFunSuite {
   private val seed = 1
 

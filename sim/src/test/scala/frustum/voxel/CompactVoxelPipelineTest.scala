@@ -40,7 +40,8 @@ class CompactVoxelPipelineTest extends AnyFunSuite with Simulated {
           val steps = pixels.map(_.steps).sum + model.pointedAtSteps(camera)
           assert(frame.steps == steps, s"$view")
           info(
-            f"pace $pace: ${frame.clocks.toDouble / c.pixels}%.2f clocks a pixel, ${steps.toDouble / c.pixels}%.2f steps, ${pixels.map(_.seen.size).sum.toDouble / c.pixels}%.2f faces"
+            f"pace $pace: ${frame.clocks.toDouble / c.pixels}%.2f clocks a pixel, ${steps.toDouble / c.pixels}%.2f " +
+              f"steps, ${pixels.map(_.seen.size).sum.toDouble / c.pixels}%.2f faces"
           )
         }
       }

@@ -10,8 +10,8 @@ import frustum.scene.VoxelWorld
 import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random
 
-/** Faults that a renderer of this kind had once and that no other test names; what the model does here the hardware does, see
-  * `VoxelPipelineTest`.
+/** Faults that a renderer of this kind had once and that no other test names; what the model does here the hardware
+  * does, see `VoxelPipelineTest`.
   */
 class VoxelFaultsTest extends AnyFunSuite {
   private val c = VoxelConfig(size = WorldSize(8, 8, 8), width = 32, height = 24, fog = false)

@@ -3,7 +3,9 @@ package frustum.boards.arty
 import spinal.core._
 import spinal.lib.{History, ResetCtrl}
 
-/** A clock domain of the Arty: reset from power up on for some clocks, and by the red button. The reset is a register of the clock, and synchronous. */
+/** A clock domain of the Arty: reset at power up and by the red button. The reset is a register of the clock, and
+  * synchronous.
+  */
 object ArtyDomain {
 
   /** Clocks of reset from power up on. */

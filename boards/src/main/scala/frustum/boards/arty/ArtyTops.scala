@@ -17,7 +17,7 @@ object ArtyTops {
     component = PongTop(PongPipelineConfig(), _)
   )
 
-  /** The whole world, in words of nine bits, which is what a block RAM has. */
+  /** The complete world, in words of nine bits, which is what a block RAM has. */
   private def voxelConsole(width: Int, height: Int) = VoxelConsoleConfig(
     VoxelConfig(width = width, height = height, leaps = LeapField.Quadrants),
     Blocks.assets,
@@ -31,7 +31,7 @@ object ArtyTops {
   val voxel: BoardTop = voxelTop("arty-voxel", Part.Artix7A100, voxelConfig)
   val voxel35: BoardTop = voxelTop("arty-voxel-35t", Part.Artix7A35, voxel35Config)
 
-  /** What the part's block RAMs cannot hold is refused when it is elaborated. */
+  /** A world and pictures that exceed the part's block RAMs are refused at elaboration. */
   def voxelTop(name: String, part: Part.Artix7, config: VoxelConsoleConfig): BoardTop = BoardTop(
     name = name,
     part = part,
@@ -42,7 +42,8 @@ object ArtyTops {
       val (need, have) = (config.memoryBits / 1024, part.blockRamKbit)
       require(
         need <= have,
-        s"$name: world and pictures need $need kbit, the ${part.name} has $have in its block RAMs; take a smaller world, picture or word"
+        s"$name: world and pictures need $need kbit, the ${part.name} has $have in its block RAMs; take a smaller " +
+          "world, picture or word"
       )
       VoxelTop(config, tech)
     }

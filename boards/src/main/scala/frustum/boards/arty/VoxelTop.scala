@@ -4,8 +4,8 @@ import frustum.demos.voxel.{VoxelConsole, VoxelConsoleConfig}
 import frustum.device.Tech
 import spinal.core._
 
-/** `arty-voxel` and `arty-voxel-35t`: a world of blocks from the host, a console's pad, a VGA PMOD. All runs from the oscillator's
-  * 100 MHz; a pixel of the monitor lasts four clocks.
+/** `arty-voxel` and `arty-voxel-35t`: a world of blocks from the host, a console's pad, a VGA PMOD. All of it runs from
+  * the oscillator's 100 MHz; a pixel of the monitor lasts four cycles.
   */
 case class VoxelTop(config: VoxelConsoleConfig, tech: Tech) extends Component {
   val io = VoxelPins()

@@ -1,6 +1,6 @@
 package frustum.boards.flow
 
-/** yosys and nextpnr for Artix-7. YoWASP has no nextpnr for it: both come from PATH. */
+/** yosys and nextpnr for Artix-7. YoWASP has no nextpnr for it: both are taken from PATH. */
 final case class Artix7Tools(yosys: Tool, nextpnr: Tool)
 
 object Artix7Tools {

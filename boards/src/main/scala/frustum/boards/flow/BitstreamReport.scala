@@ -2,10 +2,10 @@ package frustum.boards.flow
 
 import frustum.boards.BoardTop
 
-/** What placing a top with several seeds came to. Figures are the worst of the seeds.
+/** The results of placing a top with several seeds. Figures are the worst of the seeds.
   *
   * @param engine     the programs and their versions
-  * @param icetimeMHz one figure a seed; empty when there is no icetime
+  * @param icetimeMHz one figure per seed; empty when there is no icetime
   */
 final case class BitstreamReport(
     top: BoardTop,
@@ -41,7 +41,7 @@ final case class BitstreamReport(
       _ >= top.targetMHz.toDouble
     )
 
-  /** The seed whose bitstream is kept: the one with most in hand. */
+  /** The seed whose bitstream is kept: the one with the greatest margin. */
   def bestSeed: Int =
     if (icetimeMHz.isEmpty) placements.zip(coreMHz).maxBy(_._2)._1.seed
     else placements.zip(coreMHz.zip(icetimeMHz).map { case (a, b) => a min b }).maxBy(_._2)._1.seed
@@ -70,9 +70,9 @@ final case class BitstreamReport(
 
 object BitstreamReport {
 
-  /** A net's name without what yosys and nextpnr put before it, as in `$abc$1$iopadmap$clk` and `$glbnet$clk$TRELLIS_IO_IN`,
-    * or append on the way from a pad to a global buffer; yosys joins the names of a hierarchy by an underscore or, since
-    * 0.70, by a dot.
+  /** A net's name without what yosys and nextpnr put before it, as in `$abc$1$iopadmap$clk` and
+    * `$glbnet$clk$TRELLIS_IO_IN`, or append on the way from a pad to a global buffer; yosys joins the names of a
+    * hierarchy by an underscore or, since 0.70, by a dot.
     */
   def plainNet(net: String): String = {
     val parts = net.stripSuffix("$TRELLIS_IO_IN").split('$')

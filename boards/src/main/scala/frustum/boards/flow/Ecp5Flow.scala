@@ -3,7 +3,7 @@ package frustum.boards.flow
 import frustum.boards.BoardTop
 import java.nio.file.{Files, Path}
 
-/** How fast and how large a design comes out on Lattice's ECP5: no pins, so no file for a board.
+/** Speed and size of a design on Lattice's ECP5: no pins, so no file for a board.
   *
   * @param yosys   native or YoWASP's
   * @param nextpnr the same
@@ -33,7 +33,7 @@ final class Ecp5Flow(protected val yosys: Tool, protected val nextpnr: Tool) ext
 
 object Ecp5Flow {
 
-  /** @param say told what is being prepared */
+  /** @param say receives a line about each preparation */
   def find(say: String => Unit): Ecp5Flow = new Ecp5Flow(
     Tool.native("yosys", "-V", Ice40Tools.OldestYosys).getOrElse(Yowasp.tool("yosys", "-V", say)),
     Tool.native("nextpnr-ecp5", "--version", Nextpnr.Oldest)

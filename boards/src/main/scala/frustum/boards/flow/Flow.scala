@@ -3,7 +3,7 @@ package frustum.boards.flow
 import frustum.boards.BoardTop
 import java.nio.file.{Files, Path, StandardCopyOption}
 
-/** From a top to what its board loads: elaborate, synthesise, place with each seed. A part's own flow tells how. */
+/** From a top to its board's file: elaborate, synthesise, place with each seed. Each part has a flow of its own. */
 abstract class Flow {
   protected def yosys: Tool
   protected def nextpnr: Tool
@@ -20,16 +20,16 @@ abstract class Flow {
   /** nextpnr's arguments for the part, its constraints and what it writes as `<run>.*`. */
   protected def placement(top: BoardTop, run: String): Seq[String]
 
-  /** A second opinion on a placement's timing, in MHz. */
+  /** A second timing analysis of a placement, in MHz. */
   protected def secondOpinion(work: Path, top: BoardTop, seed: Int): Option[Double] = None
 
-  /** Makes the file for the board of a placement and gives its place; None of a flow that is after figures alone. */
+  /** Makes the file for the board of a placement and returns its path; None for a flow without a file for the board. */
   protected def pack(work: Path, top: BoardTop, seed: Int): Option[Path] = None
 
   /** Builds in `directory/<name>.build` and leaves the file for the board of the best seed beside it when the design
     * fits.
     *
-    * @param say    told of each step as it ends
+    * @param say    receives a line when each step ends
     * @param placer of nextpnr
     */
   final def run(

@@ -3,11 +3,11 @@ package frustum.boards.flow
 import frustum.boards.BoardTop
 import java.nio.file.{Files, Path}
 
-/** A second opinion on timing: icestorm's analyser, which shares no delay model with nextpnr. */
+/** A second timing analysis, by icestorm's analyser, which shares no delay model with nextpnr. */
 object Icetime {
 
-  /** MHz of the longest path of `<name>.<seed>.asc` over all clocks and pins, or None where no icetime here can tell:
-    * several are tried, as one without its chip database is of no use.
+  /** MHz of the critical path of `<name>.<seed>.asc` over all clocks and pins, or None where no icetime works: several
+    * are tried, as one without its chip database fails.
     */
   def analyse(tools: Seq[Tool], directory: Path, top: BoardTop, seed: Int): Option[Double] = {
     val arguments = Seq("-d", "up5k", "-P", top.part.packageName, "-c", s"${top.targetMHz}", s"${top.name}.$seed.asc")

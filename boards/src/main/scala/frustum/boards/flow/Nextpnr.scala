@@ -27,21 +27,22 @@ final case class Placement(
 /** Place and route: `<name>.netlist.json` to the part's own file. */
 object Nextpnr {
 
-  /** Below this the placer that the flow uses is not made for the iCE40; Debian 12 has 0.4, Debian 13 has 0.7. */
+  /** Below this the placer that the flow uses does not support the iCE40; Debian 12 has 0.4, Debian 13 has 0.7. */
   val Oldest = (0, 11)
 
-  /** Its placers. `Static` packs designs with much block RAM far better, see docs/flashing.md, but there are designs, small ones among them, with
-    * which it finds no end. `Heap` is nextpnr's own choice.
+  /** Its placers. `Static` packs designs with much block RAM far better, see docs/flashing.md, but there are designs,
+    * small ones among them, with which it does not terminate. `Heap` is nextpnr's own choice.
     */
   val Static = "static"
   val Heap = "heap"
   val Placers = Seq(Static, Heap)
 
-  /** After which a placement is given up. */
+  /** The time after which a placement is stopped. */
   private val Patience = 30.minutes
 
   /** @param placer one of [[Placers]]
-    * @param part   arguments that tell the device, its constraints and what to write */
+    * @param part   arguments for the device, its constraints and the files to write
+    */
   def place(tool: Tool, directory: Path, top: BoardTop, seed: Int, placer: String, part: Seq[String]): Placement = {
     val run = s"${top.name}.$seed"
     val report = directory.resolve(s"$run.report.json")
@@ -52,7 +53,8 @@ object Nextpnr {
       part ++ Seq("--placer", placer, "--json", s"${top.name}.netlist.json", "--report", s"$run.report.json") ++
         Seq("--freq", s"${top.targetMHz}", "--seed", s"$seed", "--timing-allow-fail")
     ).getOrElse(throw FlowFault(
-      s"nextpnr with --placer $placer has not placed ${top.name} within $Patience; give the other one of ${Placers.mkString(", ")}"
+      s"nextpnr with --placer $placer has not placed ${top.name} within $Patience; use --placer " +
+        Placers.filterNot(_ == placer).mkString(" or ")
     ))
     val log = directory.resolve(s"$run.nextpnr.log")
     val said = Files.readString(log)

@@ -8,10 +8,10 @@ import scala.concurrent.duration.Duration
 import scala.jdk.CollectionConverters._
 import scala.math.Ordering.Implicits._
 
-/** A program of the flow: how it is started, and what it calls itself. */
+/** A program of the flow: its command and its name. */
 final case class Tool(name: String, version: String, command: Seq[String], environment: Map[String, String]) {
 
-  /** Runs in `directory`, everything it prints going to `log` there; gives its exit code. */
+  /** Runs in `directory`, everything it prints going to `log` there; returns its exit code. */
   def run(directory: Path, log: String, arguments: Seq[String]): Int =
     runWithin(Duration.Inf)(directory, log, arguments).get
 
@@ -53,7 +53,7 @@ object Tool {
       .map(_.getPath)
       .distinct
 
-  /** The first of this name on PATH that tells, asked by `flag`, a version of `oldest` or newer. */
+  /** The first of this name on PATH whose version, printed with `flag`, is `oldest` or newer. */
   def native(name: String, flag: String, oldest: (Int, Int) = (0, 0)): Option[Tool] =
     onPath(name).flatMap { path =>
       version(output(Seq(path, flag))).filter(_ >= oldest).map(v => Tool(name, s"${v._1}.${v._2}", Seq(path), Map()))
@@ -72,11 +72,11 @@ object Tool {
     } catch { case _: java.io.IOException => "" }
   }
 
-  /** The first `major.minor` in what a tool prints of itself: (0, 40) of "Yosys 0.40+25 ...". */
+  /** The first `major.minor` in what a tool prints: (0, 40) of "Yosys 0.40+25 ...". */
   def version(text: String): Option[(Int, Int)] =
     """(\d+)\.(\d+)""".r.findFirstMatchIn(text).map(m => (m.group(1).toInt, m.group(2).toInt))
 
-  /** The lines of a log that say what went wrong, or its last ones. */
+  /** The error lines of a log, or its last lines. */
   def faults(log: Path): String = {
     val lines = Files.readAllLines(log).asScala.toSeq.filter(_.nonEmpty)
     val errors = lines.filter(_.startsWith("ERROR"))

@@ -17,7 +17,7 @@ object Yosys {
   }
 
   /** Multipliers that lost their clock: CLK absent or constant, or CE tied to 0. Placed and routed they would keep
-    * what they held at power up, and no tool says a word.
+    * their value of power up, and no tool reports it.
     */
   def deadMultipliers(netlist: ujson.Value): Seq[String] =
     for {

@@ -10,7 +10,7 @@ object Yowasp {
   /** What `project/yowasp.txt` lists: yosys, nextpnr-ice40, icepack. */
   val Ice40 = "yowasp.txt"
 
-  /** What `project/yowasp-ecp5.txt` lists: nextpnr-ecp5, some 170 MB. */
+  /** What `project/yowasp-ecp5.txt` lists: nextpnr-ecp5, about 170 MB. */
   val Ecp5 = "yowasp-ecp5.txt"
 
   private val home = Paths.get(".cache", "yowasp").toAbsolutePath
@@ -18,8 +18,8 @@ object Yowasp {
 
   /** The tool `yowasp-<name>`.
     *
-    * @param versionFlag makes it tell its version, empty when it has no such flag
-    * @param list        names the tool's package, beside what [[Ice40]] has
+    * @param versionFlag prints its version; empty when there is no such flag
+    * @param list        names the tool's package, in addition to those of [[Ice40]]
     */
   def tool(name: String, versionFlag: String, say: String => Unit, list: String = Ice40): Tool = {
     install(Ice40, say)
@@ -29,8 +29,8 @@ object Yowasp {
     Tool(name, version.map(v => s"${v._1}.${v._2}").getOrElse(""), command, compiled)
   }
 
-  /** Installs what a list names unless exactly that is there. The first list makes the environment anew, without what
-    * others had put there.
+  /** Installs what a list names unless exactly that is there. The first list creates the environment again, without the
+    * packages of others.
     */
   private def install(list: String, say: String => Unit): Unit = {
     val requirements = Paths.get("project", list)

@@ -12,12 +12,12 @@ object IcebreakerTops {
   /** A frequency the PLL can make of 12 MHz, see [[frustum.device.Ice40PllSettings]]. */
   private val coreMHz = BigDecimal("36")
 
-  /** What a host may clock the command port with. */
+  /** The highest SCK of the command port. */
   private val hostMHz = BigDecimal(48)
 
   val raster: BoardTop = rasterOf("icebreaker-raster", RasterConfig())
 
-  /** The rasterizer's top, made for a configuration. */
+  /** The rasterizer's top, built for a configuration. */
   def rasterOf(name: String, config: RasterConfig): BoardTop = BoardTop(
     name = name,
     part = Part.Ice40Up5k,
@@ -41,7 +41,7 @@ object IcebreakerTops {
     component = PongTop(pongConfig, pongMHz, _)
   )
 
-  /** Near to 7 looks of the receiver of 460,800 baud, which looks eight times a bit. */
+  /** Near 7 cycles per sample of the receiver of 460,800 baud, which samples eight times per bit. */
   val voxelMHz = BigDecimal("25.875")
 
   val voxel: BoardTop = BoardTop(

@@ -6,8 +6,8 @@ import spinal.core._
 /** Pins of `icebreaker-pong`, named as in `boards/icebreaker/pong.pcf`.
   *
   *   - `clk`: 12 MHz; in a simulation the pixel clock itself
-  *   - `right`, `up`, `left`: BTN1 to BTN3 of the snap-off board, high when pressed; `down_n`: the user button, low when
-  *     pressed
+  *   - `right`, `up`, `left`: BTN1 to BTN3 of the snap-off board, high when pressed; `down_n`: the user button, low
+  *     when pressed
   *   - `dvi`: 12-bit DVI PMOD; its clock rises in the middle of a pixel
   */
 case class PongPins() extends Bundle {

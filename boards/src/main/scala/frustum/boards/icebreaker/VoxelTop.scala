@@ -9,7 +9,7 @@ import spinal.core._
 /** `icebreaker-voxel`: a world of blocks from the host, on an SPI display whose SCK is the core clock.
   *
   * @param coreMHz core clock
-  * @param focal   pixels from the eye to the screen, of the start's camera
+  * @param focal   pixels from the eye to the screen, of the initial camera
   * @param fast    shortens the display's start-up pauses, for simulation
   */
 case class VoxelTop(

@@ -11,7 +11,7 @@ final case class Slice(word: Int, high: Int, low: Int) {
 /** A number of a [[Layout]].
   *
   * @param name    an identifier
-  * @param slices  where its bits lie, the most significant first
+  * @param slices  the places of its bits, the most significant first
   * @param signed  two's complement
   * @param meaning unit, range or codes, in a line for the documentation
   */
@@ -26,13 +26,13 @@ final case class Field(name: String, slices: Seq[Slice], signed: Boolean, meanin
   /** All bits of the field set, as an unsigned number. */
   def ones: Int = -1 >>> (32 - width)
 
-  /** What `words` hold of it. */
+  /** Its value in `words`. */
   def of(words: Seq[Int]): Int = {
     val bits = slices.foldLeft(0)((v, s) => v << s.width | (words(s.word) & s.mask) >>> s.low)
     if (signed) bits << (32 - width) >> (32 - width) else bits
   }
 
-  /** The lower bits of `value` where they lie: words with what to put into each. */
+  /** The lower bits of `value` in their places: words with the bits for each. */
   def placed(value: Int): Seq[(Int, Int)] = {
     val below = slices.scanRight(0)((s, n) => s.width + n).tail // bits of the value below each slice
     slices.zip(below).map { case (s, n) => s.word -> ((value >> n << s.low) & s.mask) }
@@ -54,12 +54,12 @@ final case class Field(name: String, slices: Seq[Slice], signed: Boolean, meanin
     copy(slices = joined)
   }
 
-  /** Its `bits` least significant bits alone, for a value that they can hold. It lies in one word. */
+  /** Its `bits` least significant bits alone, for a value that they can hold. It is in one word. */
   def narrow(bits: Int): Field = copy(slices = Seq(slice.copy(high = slice.low + bits - 1)))
 
-  /** Where it lies, if that is in one piece. */
+  /** Its place, if that is in one piece. */
   def slice: Slice = {
-    require(slices.length == 1, s"field $name lies in ${slices.length} pieces")
+    require(slices.length == 1, s"field $name is in ${slices.length} pieces")
     slices.head
   }
 }

@@ -2,8 +2,8 @@ package frustum.contract
 
 import scala.collection.mutable.ArrayBuffer
 
-/** How a record lies in words of `wordBits` bits: a table of [[Field]]s, from which encoders, decoders, hardware and
-  * documentation are made. Bits of no field are spare: encoded as 0 and ignored when read.
+/** The places of a record's fields in words of `wordBits` bits: a table of [[Field]]s, from which encoders, decoders,
+  * hardware and documentation are made. Bits of no field are spare: encoded as 0 and ignored when read.
   *
   * A word is held in an Int as its bit pattern, so that one of 32 bits may be negative.
   *

@@ -1,8 +1,8 @@
 package frustum.contract
 
-/** Where a method keeps its promise. `./sbt stability` measures each, within and beyond.
+/** The range within which a method keeps its error bound. `./sbt stability` measures each, inside and outside.
   *
-  * @param method   what is relied on
+  * @param method   the method and what it is used for
   * @param quantity what it depends on, in `unit`
   * @param low,high range of the quantity, both ends included
   * @param bound    greatest error within it, in `errorUnit`

@@ -6,9 +6,9 @@ import frustum.raster.scan.InterpolatedFragment
 import spinal.core._
 import spinal.lib._
 
-/** Where a fragment's attributes wait for its texel, and its depth for the depth test: fragments leave in
-  * order, attributes when `fetch` says so and the depth later, at `fetchDepth`. Each is shown the clock after
-  * and until the next.
+/** Keeps a fragment's attributes until its texel is there, and its depth until the depth test. Fragments leave in
+  * order: attributes at `fetch`, the depth later, at `fetchDepth`. Each is at the output from the next cycle until the
+  * next fetch.
   *
   * It is never full: the stages between hold twelve fragments at most.
   */
@@ -19,7 +19,7 @@ case class AttributeMemory(config: RasterConfig) extends Component {
     val attributes = out(FragmentAttributes(config))
     val fetchDepth = in Bool ()
     val z = out UInt (16 bits)
-    val empty = out Bool () // no depth waits
+    val empty = out Bool () // no depth is kept
   }
 
   private def pointer(step: Bool): UInt = {
@@ -31,7 +31,7 @@ case class AttributeMemory(config: RasterConfig) extends Component {
   val fetched = pointer(io.fetch)
   val depthFetched = pointer(io.fetchDepth)
 
-  // Colours that make no difference are not kept.
+  // Colours that no state uses are not kept.
   private def kept(of: FragmentAttributes): Seq[Data] = Seq(of.x, of.y, of.tileEnd) ++
     Seq(PlaneR -> of.r, PlaneG -> of.g, PlaneB -> of.b, PlaneA -> of.a).collect { case (p, c) if wanted(p) => c }
   private def wanted(plane: Int) = config.fixed.planes.contains(plane)

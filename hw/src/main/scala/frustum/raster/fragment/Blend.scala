@@ -8,23 +8,22 @@ import frustum.raster.tile.{TileClear, TileMemory}
 import spinal.core._
 import spinal.lib._
 
-/** Writes pixels to the colour buffer of one tile, in two banks, blended by source alpha where the state says
-  * so; one a clock, latency 2 clocks, or 1 where no state can blend, or none where none tests depth either; never stalls; the depth
-  * test is made meanwhile. [[Interlock]] keeps pixels apart that are still being
-  * blended.
+/** Writes pixels to the colour buffer of one tile, in two banks, blended by source alpha where the state says so; one
+  * per cycle, latency 2 cycles, or 1 where no state can blend, or none where none tests depth either; never stalls; the
+  * depth test is made meanwhile. [[Interlock]] keeps fragments of one pixel apart while it is blended.
   *
-  * With w = a + (a >> 4), 0..32, a channel becomes (src w + dst (32 - w) + 16) >> 5, exact at both ends.
-  * That is dst 32 + 16 + (src - dst) w; in logic cells, since w is the sum of a's bits at their weights and of bit 4 once
-  * more, a sum of six terms, each src or dst.
+  * With w = a + (a >> 4), 0..32, a channel becomes (src w + dst (32 - w) + 16) >> 5, exact at both ends. That is dst 32
+  * + 16 + (src - dst) w; in logic cells, since w is the sum of a's bits at their weights and of bit 4 once more, a sum
+  * of six terms, each src or dst.
   */
 case class Blend(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
     val up = slave(Flow(PixelWrite(config)))
-    val passed = in Bool () // whether what entered a clock ago is to be written
+    val passed = in Bool () // whether what entered a cycle ago is to be written
     val state = in(RenderStateWord())
     val clear = slave(TileClear(config))
     val clearColor = in Bits (16 bits)
-    val color = out Bits (16 bits) // for the resolver
+    val color = out Bits (16 bits) // read data for the resolver
     val tileEnd = master(Flow(UInt(1 bits)))
     val busy = out Bool ()
   }

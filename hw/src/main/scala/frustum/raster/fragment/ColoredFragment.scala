@@ -3,8 +3,8 @@ package frustum.raster.fragment
 import frustum.contract.raster.RasterConfig
 import spinal.core._
 
-/** A coloured fragment on its way to the tests: RGB565 and five bits of alpha; its depth joins it there. With `tileEnd` it
-  * is no pixel but the mark that ends the tile, and passes every test.
+/** A coloured fragment before the tests: RGB565 and five bits of alpha; its depth is added there. With `tileEnd` it is
+  * the tile-end marker, not a pixel, and passes every test.
   */
 case class ColoredFragment(config: RasterConfig) extends Bundle {
   val x = UInt(config.tileLog2Width bits)

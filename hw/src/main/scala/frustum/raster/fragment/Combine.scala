@@ -8,14 +8,14 @@ import frustum.raster.texture.Texel
 import spinal.core._
 import spinal.lib._
 
-/** Colour of the fragment from texel and vertex colour: OpenGL's texture environments; one a clock, latency 1
-  * clock; the result is to be registered by who takes it.
+/** Colour of the fragment from texel and vertex colour: OpenGL's texture environments; one per cycle, latency 1 cycle;
+  * the receiver has to register the result.
   *
   * One product per channel serves all modes: (t * (c + c[7]) + 128) >> 8 with t the texel's 5 or 6 bits and c
   * the vertex's 8. It is exact at c = 0 and c = 255; Replace puts 255 for c, ColorOnly puts all ones for t,
   * which rounds c to the frame buffer's bits. An RGB565 texel has no alpha: the vertex's is kept.
   *
-  * Where no state asks for anything but the texel there is nothing to do, and no latency.
+  * Where every state uses the texel alone there is nothing to combine, and no latency.
   */
 case class Combine(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
@@ -71,8 +71,8 @@ case class Combine(config: RasterConfig, tech: Tech = Tech.Generic) extends Comp
     Mux(c(8) || one, (full ## B(0, 8 bits)).asUInt, c.take(8).asUInt +^ c(7).asUInt)
   }
 
-  /** (t * factor + 128) >> 8, t by its lower three bits and its upper ones side by side, a row of additions
-    * for each bit from the lowest; since factor is 256 at most and every sum is halved, none exceeds 511.
+  /** (t * factor + 128) >> 8, t by its lower three bits and its upper ones side by side, one addition for each bit from
+    * the lowest; since factor is 256 at most and every sum is halved, none exceeds 511.
     */
   def product(t: UInt, factor: UInt): UInt = {
     def rows(bits: Seq[Bool], start: Int): (UInt, Seq[Bool]) = {

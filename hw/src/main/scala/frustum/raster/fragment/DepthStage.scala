@@ -6,12 +6,12 @@ import frustum.raster.tile.{TileClear, TileMemory}
 import spinal.core._
 import spinal.lib._
 
-/** Depth test against a 16-bit depth buffer of one tile, in two banks that change at a tile's end mark; one
-  * fragment a clock, latency 1 clock, never stalls.
+/** Depth test against a 16-bit depth buffer of one tile, in two banks that change at a tile-end marker; one fragment
+  * per cycle, latency 1 cycle, never stalls.
   *
-  * A fragment reads its word when it enters, which tells its bank, and writes it a clock later, when `z` is
-  * its depth and `passed` the result: [[Interlock]] keeps fragments of one pixel apart. The memory holds the
-  * complement of the depth, so that carries alone compare. Where every state lets all fragments pass there is no memory.
+  * A fragment reads its word when it enters, which selects its bank, and writes it a cycle later, when `z` is its depth
+  * and `passed` the result: [[Interlock]] keeps fragments of one pixel apart. The memory holds the complement of the
+  * depth, so that carries alone compare. Where every state lets all fragments pass there is no memory.
   */
 case class DepthStage(config: RasterConfig) extends Component {
   val io = new Bundle {
@@ -20,7 +20,7 @@ case class DepthStage(config: RasterConfig) extends Component {
     val clear = slave(TileClear(config))
     val down = master(Flow(PixelWrite(config))) // as they enter, not tested yet
     val z = in UInt (16 bits)
-    val passed = out Bool () // marks always pass
+    val passed = out Bool () // tile-end markers always pass
     val busy = out Bool ()
   }
 

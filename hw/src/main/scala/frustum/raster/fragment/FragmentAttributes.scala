@@ -4,9 +4,9 @@ import frustum.contract.raster.RasterConfig
 import frustum.raster.scan.InterpolatedFragment
 import spinal.core._
 
-/** What a fragment carries beside its texture coordinate and depth: place in the tile and colour. Colours are
-  * 0..255 when their top bit is clear; otherwise bit 7 tells on which side they left that range, as
-  * [[InterpolatedFragment]] has it: set below 0, clear above 255.
+/** Attributes of a fragment other than texture coordinate and depth: place in the tile and colour. Colours are 0..255
+  * when their top bit is clear; otherwise bit 7 is the side on which they left that range, as [[InterpolatedFragment]]
+  * has it: set below 0, clear above 255.
   */
 case class FragmentAttributes(config: RasterConfig) extends Bundle {
   val x = UInt(config.tileLog2Width bits)
@@ -34,8 +34,8 @@ object FragmentAttributes {
     attributes
   }
 
-  /** Depth 0..65535, clamped. The top two bits tell on which side a value left its range, because it leaves it
-    * by less than one unit: 11 is below zero, 10 has overflowed.
+  /** Depth 0..65535, clamped. The top two bits are the side on which a value left its range, because it leaves it by
+    * less than one unit: 11 is below zero, 10 has overflowed.
     */
   def depth(z: SInt): UInt = {
     val below = z.msb && z(z.high - 1)

@@ -5,16 +5,16 @@ import frustum.raster.store.FieldBits._
 import spinal.core._
 import spinal.lib._
 
-/** Executes `begin`: waits for a free bank and keeps what the frame is to be. A frame is `open` from a good `begin` until it
-  * is drawn or another `begin` comes.
+/** Executes `begin`: waits for a free bank and keeps what the frame is to be. A frame is `open` from a good `begin`
+  * until it is drawn or another `begin` comes.
   */
 case class BeginCommand(config: RasterConfig) extends Component {
   val io = new Bundle {
     val up = slave(GroupPort())
-    val free = in Bool () // a bank is
+    val free = in Bool () // a bank is free
     val drawn = in Bool () // the frame goes to the rasterizer
     val open = out(RegInit(False))
-    val fresh = out Bool () // nothing of the frame has come yet
+    val fresh = out Bool () // nothing of the frame has arrived yet
     val tag = out(Reg(Bits(StoredVertex.Tag.width bits)))
     val clearColor = out Bits (16 bits)
     val region = out(Vec.fill(4)(Reg(UInt(5 bits)))) // x0, x1, y0, y1, inclusive
@@ -30,9 +30,9 @@ case class BeginCommand(config: RasterConfig) extends Component {
   val badColor = Bool(config.clearColor.isDefined) && group.single =/= clearColor
   io.clearColor := clearColor
 
-  // Columns and rows lie alike.
+  // Columns and rows have the same bits.
   val ends = Seq(BeginLayout.X0, BeginLayout.X1).map(_.in(group.single).asUInt)
-  val beyond = ends.map(_(7 downto 5).orR).orR // every screen
+  val beyond = ends.map(_(7 downto 5).orR).orR // outside the largest screen
   val firstTile = ends(0).resize(5)
   val lastTile = ends(1).resize(5)
   val limit = Mux(ofRows, U(config.tilesY - 1, 5 bits), U(config.tilesX - 1, 5 bits))

@@ -6,8 +6,8 @@ import frustum.raster.texture.TexelWrite
 import spinal.core._
 import spinal.lib._
 
-/** Executes checked commands, see [[frustum.contract.raster.Command]], one at a time: [[CommandReader]] cuts them into groups of words
-  * and each has a unit that takes its groups. Vertices go to the store as a stream of their own.
+/** Executes checked commands, see [[frustum.contract.raster.Command]], one at a time: [[CommandReader]] cuts them into
+  * groups of words and each has a unit that takes its groups. Vertices go to the store as a stream of their own.
   *
   *   - `words`: as [[Framer]] delivers them: `opcode << 8 | length`, then the payload. Opcodes and lengths are not
   *     checked again.
@@ -15,9 +15,10 @@ import spinal.lib._
   *     job's bank is free again. `begin` waits for a free bank, `texels` until every job is done.
   *   - a refused command changes nothing, but for texels that run beyond the memory, of which those within it are
   *     written, and for `begin`, which ends the frame begun before it in any case
-  *   - hardware made for fewer states, clear colours, vertices or triangles, or for nearer ranges refuses the others alike
+  *   - hardware built for fewer states, clear colours, vertices or triangles, or for narrower ranges, refuses the
+  *     others
   *   - a refused vertex leaves its slot with a tag of another frame; a position out of range is not stored
-  *   - a triangle costs about 55 clocks, a vertex 31
+  *   - a triangle costs about 55 cycles, a vertex 31
   */
 case class CommandDecoder(config: RasterConfig) extends Component {
   val layout = StoreLayout(config)
@@ -100,6 +101,6 @@ case class CommandDecoder(config: RasterConfig) extends Component {
 
 object CommandDecoder {
 
-  /** Vertices and triangles that arrive are counted modulo 4096, to be compared with what `draw` says was sent. */
+  /** Vertices and triangles that arrive are counted modulo 4096 and compared with the counts of `draw`. */
   val CountBits = 12
 }

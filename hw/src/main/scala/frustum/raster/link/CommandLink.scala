@@ -6,7 +6,7 @@ import frustum.raster.texture.TexelWrite
 import spinal.core._
 import spinal.lib._
 
-/** The way in: bytes of the wire to scene store, texel memory and jobs, with everything counted.
+/** The input path: bytes of the wire to scene store, texel memory and jobs, with everything counted.
   *
   * @param dropWhenFull see [[Framer]]: true behind a source that cannot wait, such as [[SpiSlave]]
   */
@@ -36,10 +36,11 @@ case class CommandLink(config: RasterConfig, depth: Int = 256, dropWhenFull: Boo
     when(event)(count := count + 1)
     count
   }
-  val events = DecoderEvents() // a clock late, so that counting is no part of deciding
+  val events = DecoderEvents() // a cycle late, so that the counters are not in the path of a decision
   def pulses(events: DecoderEvents) = events.elements.map { case (_, pulse: Bool) => pulse }
   for ((late, pulse) <- pulses(events).zip(pulses(decoder.io.events))) late := RegNext(pulse) init False
-  // Two units drop commands; where both do so in one clock, the decoder's is counted later. It has none in between.
+  // Two units drop commands; where both do so in one cycle, the decoder's is counted later. The decoder has no drop in
+  // between.
   val refused = RegInit(False) setWhen events.refused clearWhen (!framer.io.dropped && !events.refused)
   val dropped = framer.io.dropped || refused
 

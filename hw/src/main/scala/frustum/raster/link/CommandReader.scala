@@ -6,28 +6,28 @@ import spinal.lib._
 
 /** Words of a command that belong together: a pair where the store keeps pairs, otherwise a single one. */
 case class CommandGroup() extends Bundle {
-  val words = Bits(32 bits) // a single one is in the lower half
-  val first = Bool() // of the command
-  val last = Bool() // of the command
+  val words = Bits(32 bits) // a single word is in the lower half
+  val first = Bool() // the first group of the command
+  val last = Bool() // the last group of the command
 
   def single: Bits = words(15 downto 0)
 }
 
-/** Reads commands as [[Framer]] delivers them, `opcode << 8 | length` and the payload, and offers their groups to the unit
-  * of the command: single words, but pairs of the states, vertices and triangles that follow a first word.
+/** Reads commands as [[Framer]] delivers them, `opcode << 8 | length` and the payload, and offers their groups to the
+  * unit of the command: single words, but pairs of the states, vertices and triangles that follow a first word.
   *
-  * A single word stands for a clock before it is offered: what is to be found out about it may come from a register.
-  * A unit that takes a group with `refuse` gets no further one of the command. Opcodes and lengths are not checked again.
+  * A single word is stable for a cycle before it is offered: checks of it may come from a register. A unit that takes a
+  * group with `refuse` gets no further one of the command. Opcodes and lengths are not checked again.
   *
-  * A pair takes three clocks and as long as its unit does, a single word as well.
+  * A pair or a single word takes three cycles and those of its unit.
   */
 case class CommandReader() extends Component {
   val io = new Bundle {
     val words = slave(Stream(Bits(16 bits)))
     val open = in Bool () // a frame is begun: most commands are refused otherwise
-    val opcode = out(Reg(UInt(3 bits))) // of the command in hand
+    val opcode = out(Reg(UInt(3 bits))) // opcode of the current command
     val group = master(Stream(CommandGroup()))
-    val refuse = in Bool () // the command of the group that is taken
+    val refuse = in Bool () // refuses the command of the group that is taken
     val turn = in Bool () // in a group that is offered, the lower thirty bits turn by ten to the right
     val passing = master(Flow(Bits(16 bits))) // a word of the payload as it is taken
     val accepted, refused = out Bool () // pulses at a command's end
@@ -36,8 +36,8 @@ case class CommandReader() extends Component {
     val header, dispatch, first, second, offer, skip, finish = newElement()
   }
   val state = RegInit(State.header)
-  val left = Reg(UInt(7 bits)) // payload words still to come
-  val none = Reg(Bool()) // are
+  val left = Reg(UInt(7 bits)) // remaining payload words
+  val none = Reg(Bool()) // no payload words remain
   val words = Reg(Bits(32 bits))
   val isFirst = Reg(Bool())
   val refused = Reg(Bool())

@@ -4,10 +4,10 @@ import frustum.contract.raster.StoreLayout
 import spinal.core._
 import spinal.lib._
 
-/** How [[CommandReader]] hands a command's groups to the unit that executes it. The unit sees no groups of others. */
+/** Groups of a command from [[CommandReader]] to the unit that executes it, which receives no others. */
 case class GroupPort() extends Bundle with IMasterSlave {
   val group = Stream(CommandGroup())
-  val refuse = Bool() // the command, with the group that is taken
+  val refuse = Bool() // refuses the command of the group that is taken
   override def asMaster(): Unit = { master(group); in(refuse) }
 }
 

@@ -5,20 +5,20 @@ import frustum.contract.raster.{Command, CommandShape}
 import spinal.core._
 import spinal.lib._
 
-/** Bytes of the wire into checked commands; the format is told in [[frustum.contract.raster.Command]].
+/** Bytes of the wire into checked commands; the format is in [[frustum.contract.raster.Command]].
   *
   * A command comes out as one word `opcode << 8 | length` and its payload, only if its checksum is right, its opcode
-  * known and its length one that the opcode allows. Everything else is dropped, with one pulse of `dropped` for each:
-  * a command with an error, one cut short by the next flag, one that found no room, and a run of bytes before any
-  * flag (which is what a command looks like whose flag got lost). Flags may repeat: they serve as filling.
+  * known and its length one that the opcode allows. Everything else is dropped, with one pulse of `dropped` for each: a
+  * command with an error, one cut short by the next flag, one that found no room, and a run of bytes before any flag (a
+  * command whose flag was lost). Flags may repeat as padding.
   *
-  * Takes a byte a clock except for three clocks after a length and one after a checksum.
+  * Takes a byte per cycle except for three cycles after a length and one after a checksum.
   *
-  * @param dropWhenFull true: bytes are always taken and a command that finds the FIFO full is dropped, for sources
+  * @param dropWhenFull true: bytes are always taken and a command that does not fit the FIFO is dropped, for sources
   *                     that cannot wait; false: the byte stream waits
   */
 case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Component {
-  require(depth >= 256, s"Framer: depth $depth cannot hold a command of ${Command.MaxWords} words beside the margin")
+  require(depth >= 256, s"Framer: depth $depth cannot hold a command of ${Command.MaxWords} words and the margin")
   val io = new Bundle {
     val bytes = slave(Stream(Bits(8 bits)))
     val words = master(Stream(Bits(16 bits)))
@@ -33,19 +33,19 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
 
   val state = RegInit(stray)
   val escaped = RegInit(False)
-  val second = Reg(Bool()) // the byte in hand is the second of its word
+  val second = Reg(Bool()) // the current byte is the second of its word
   val high = Reg(Bits(8 bits))
   val low = Reg(Bits(8 bits)) // the byte before
-  val left = Reg(UInt(7 bits)) // payload words still to come
+  val left = Reg(UInt(7 bits)) // remaining payload words
   val crc = Reg(Bits(16 bits))
 
-  // Flags and unescaped bytes, a clock later.
+  // Flags and unescaped bytes, a cycle later.
   val isFlag = io.bytes.payload === Command.Flag
   val isEscape = io.bytes.payload === Command.Escape && !escaped
   val plain = io.bytes.payload ^ (escaped.asBits.resize(8) |<< log2Up(Command.EscapeXor))
   when(io.bytes.fire)(escaped := isEscape)
   val symbols = io.bytes.throwWhen(isEscape).translateWith(isFlag ## plain).m2sPipe()
-  // Opcode and length are looked at for two clocks, and then judged.
+  // Opcode and length are stable for two cycles before they are checked.
   val fits = RegNext(Command.all.map(c => RegNext(high === c.opcode) && RegNext(Framer.lengthAccepted(c, low))).orR)
   val inWord = state === stray || state === skip || state === header || state === body
   symbols.ready := inWord && (if (dropWhenFull) True else fifo.io.room)
@@ -54,7 +54,7 @@ case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Compon
   val data = symbols.fire && !symbols.payload.msb
   val byte = symbols.payload(7 downto 0)
 
-  // Words reach the FIFO a clock later: two clocks at least before a commit, and before the next word is complete.
+  // Words reach the FIFO a cycle later: two cycles at least before a commit, and before the next word is complete.
   val push = False
   val drop = False
   when(data)(low := byte)
@@ -106,7 +106,7 @@ object FramerState extends SpinalEnum {
 
 object Framer {
 
-  /** Words free when `room` falls; some bytes of them may still be on their way through the slave. */
+  /** Words free when `room` falls; some of their bytes may still be in flight in the slave. */
   val MarginWords = 16
 
   /** Bytes that may follow the fall of `room` (`cts`) without loss. */

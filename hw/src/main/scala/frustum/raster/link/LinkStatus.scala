@@ -3,7 +3,7 @@ package frustum.raster.link
 import spinal.core._
 
 /** What the host can read on MISO: 9 bytes; all counters start from reset and wrap at 256, so a host that reads them
-  * after every frame sees each event; flag 3 stays, for those that look more rarely.
+  * after every frame sees each event; flag 3 stays set, for hosts that read less often.
   *
   * | byte | content |
   * | --- | --- |
@@ -17,13 +17,13 @@ import spinal.core._
   * | 7 | frames incomplete |
   * | 8 | frames drawn |
   *
-  * In a longer frame of chip select bytes 1 to 8 repeat.
+  * While chip select stays low bytes 1 to 8 repeat.
   */
 case class LinkStatus() extends Bundle {
   val busy, cts, error = Bool()
   val accepted, dropped, verticesRefused, trianglesRefused, incomplete, drawn = UInt(LinkStatus.CountBits bits)
 
-  /** Byte `at` of the table, modulo 8; byte 1 is the slave's own, so anything may stand in for it. */
+  /** Byte `at` of the table, modulo 8; byte 1 comes from the slave, so its value here is not used. */
   def select(at: UInt): Bits = {
     val flags = B(0, 4 bits) ## error ## cts ## drawn.lsb ## busy
     val bytes = Seq(drawn.asBits, drawn.asBits, flags) ++

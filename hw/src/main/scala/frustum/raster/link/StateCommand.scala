@@ -1,15 +1,15 @@
 package frustum.raster.link
 
-import frustum.contract.raster.{RasterConfig, RenderState, StateHeadLayout, StoreLayout, StoredState}
+import frustum.contract.raster.{RasterConfig, RenderState, StateHeadLayout, StoreLayout, StoredState, StoredStateLayout}
 import frustum.raster.store.FieldBits._
 import spinal.core._
 import spinal.lib._
 
-/** Executes `state`: refuses an index that does not exist and a state that differs in what the hardware has constant, before
-  * anything of it is written. Where all of it is constant nothing is written: it is the one there is.
+/** Executes `state`: refuses an index that does not exist and a state that differs from a constant of the hardware,
+  * before anything of it is written. Where all of a state is constant nothing is written.
   */
-case class StateCommand(config: RasterConfig) extends Component {
-  val layout = StoreLayout(config)
+case class StateCommand(config: RasterConfig, stored: StoredStateLayout = StoredState) extends Component {
+  val layout = StoreLayout(config, stored)
   val io = new Bundle {
     val up = slave(GroupPort())
     val writes = master(Stream(StoreWrite(layout)))
@@ -18,15 +18,15 @@ case class StateCommand(config: RasterConfig) extends Component {
   val group = io.up.group
   val index = Reg(UInt(log2Up(RenderState.Count) bits))
   val asked = StateHeadLayout.Index.in(group.single)
-  val noSuchIndex = RegNext(asked.dropLow(index.getWidth).orR) // their number is a power of two
+  val noSuchIndex = RegNext(asked.dropLow(index.getWidth).orR) // the number of states is a power of two
   when(group.valid && group.first)(index := asked.asUInt.resized)
 
   /** Whether a word differs from what is constant of it. */
   private def differs(word: Int, data: Bits): Bool = {
     val wrong = for {
-      (field, stored) <- StoredState.of.toSeq if stored.slice.word == word
+      (field, place) <- stored.of.toSeq if place.slice.word == word
       fixed = config.fixed(field) if fixed.mask != 0
-    } yield (stored.in(data) & B(fixed.mask, field.width bits)) =/= B(fixed.value, field.width bits)
+    } yield (place.in(data) & B(fixed.mask, field.width bits)) =/= B(fixed.value, field.width bits)
     if (wrong.isEmpty) False else wrong.orR
   }
 
@@ -39,7 +39,7 @@ case class StateCommand(config: RasterConfig) extends Component {
     group.ready := group.first || !fits || io.writes.ready || Bool(config.fixed.whole)
     when(!group.first && !fits)(io.up.refuse := True)
   } else {
-    // Earlier words wait for the last one, and are then written one after the other.
+    // Earlier words are held until the last one, then written one after the other.
     val held = Vec.fill(words - 1)(Reg(Bits(32 bits)))
     val all = held :+ group.words
     val word = Reg(UInt(log2Up(words) bits))

@@ -4,7 +4,8 @@ import frustum.contract.raster.{RenderState, StoreLayout}
 import spinal.core._
 import spinal.lib._
 
-/** Addresses in a bank of the scene store, put together from bits as [[frustum.contract.raster.StoreLayout]] has them. */
+/** Addresses in a bank of the scene store, put together from bits as [[frustum.contract.raster.StoreLayout]] has them.
+  */
 object StoreAddress {
   def vertex(layout: StoreLayout, index: UInt, word: UInt): UInt =
     of(layout, 0, word @@ index.resize(layout.config.vertexBits))

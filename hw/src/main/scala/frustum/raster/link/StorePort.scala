@@ -5,8 +5,8 @@ import frustum.raster.store.StoreBus
 import spinal.core._
 import spinal.lib._
 
-/** The commands' way to the scene store, of which one asks for one thing at a time. The store is asked a clock after it, so
-  * that a register alone decides who has the store's port.
+/** The commands' path to the scene store: one command requests one access at a time. The request reaches the store a
+  * cycle later, so that its grant depends on a register only.
   */
 case class StorePort(layout: StoreLayout) extends Component {
   val io = new Bundle {

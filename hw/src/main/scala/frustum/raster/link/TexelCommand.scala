@@ -6,7 +6,8 @@ import frustum.raster.texture.TexelWrite
 import spinal.core._
 import spinal.lib._
 
-/** Executes `texels`, once nothing is being drawn. What runs beyond the memory is not written, and the command refused. */
+/** Executes `texels`, once nothing is being drawn. What runs beyond the memory is not written, and the command refused.
+  */
 case class TexelCommand(config: RasterConfig) extends Component {
   val io = new Bundle {
     val up = slave(GroupPort())

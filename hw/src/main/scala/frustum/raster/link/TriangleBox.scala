@@ -6,19 +6,19 @@ import spinal.lib._
 
 /** The tiles a triangle may touch along one axis, from its three coordinates, one after the other.
   *
-  * Pixel i can be covered only if its centre 16 i + 8 lies within the coordinates' range. With p = floor(c / 16), the
-  * first such pixel for a least coordinate c is p, or p + 1 where c lies beyond p's centre; the range ends before the
+  * Pixel i can be covered only if its centre 16 i + 8 is within the coordinates' range. With p = floor(c / 16), the
+  * first such pixel for a least coordinate c is p, or p + 1 where c is beyond p's centre; the range ends before the
   * same pixel for a greatest coordinate, one later where c is on the centre. Both ends are clipped to the screen.
   *
-  * Results are right five clocks after the last coordinate, at most one coordinate a clock.
+  * Results are right five cycles after the last coordinate, at most one coordinate per cycle.
   */
 case class TriangleBox(config: RasterConfig) extends Component {
   val pixelBits = log2Up(config.width.max(config.height) + 1)
   val io = new Bundle {
     val clear = in Bool ()
-    val vertical = in Bool () // the axis, steady from `clear` on
+    val vertical = in Bool () // the axis, constant from `clear` on
     val coordinate = slave(Flow(SInt(config.ranges.positionBits bits))) // 1/16 pixel
-    val firstX, lastX, firstY, lastY = out UInt (5 bits) // of the axis in hand; the other pair means nothing
+    val firstX, lastX, firstY, lastY = out UInt (5 bits) // of the current axis; the other pair is undefined
     val empty = out Bool () // no pixel centre on the screen
   }
 
@@ -31,12 +31,12 @@ case class TriangleBox(config: RasterConfig) extends Component {
   val left = coordinate.sign
   val right = pixel >= limit
 
-  // A coordinate's pixel and whether it lies on its centre; between coordinates, the least one's and true.
+  // A coordinate's pixel and whether it is on its centre; between coordinates, the least one's and true.
   val clipped = RegNext(taken) init False
   val position = Reg(UInt(pixelBits bits))
   val onCentre = Reg(Bool())
   val least = Reg(UInt(pixelBits bits))
-  val greatest = Reg(UInt(pixelBits + 1 bits)) // and whether on the centre
+  val greatest = Reg(UInt(pixelBits + 1 bits)) // the greatest coordinate's pixel, and whether it is on the centre
   position := (pixel +^ (fraction > 8).asUInt).resize(pixelBits)
   onCentre := fraction === 8 && !left && !right
   when(right)(position := limit)

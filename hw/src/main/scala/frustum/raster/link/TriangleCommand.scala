@@ -6,11 +6,11 @@ import frustum.raster.store.FieldBits._
 import spinal.core._
 import spinal.lib._
 
-/** Executes `triangles`: has the tags and positions of a triangle's corners read, and writes the triangle if its corners
-  * belong to the frame and something of it is on the screen. About 50 clocks a triangle.
+/** Executes `triangles`: reads the tags and positions of a triangle's corners, and writes the triangle if its corners
+  * belong to the frame and something of it is on the screen. About 50 cycles a triangle.
   *
-  * The corners are read last corner first, see [[TriangleAssembly]]; `turn` brings the next corner's index to where the
-  * last one's was.
+  * The corners are read last corner first, see [[TriangleAssembly]]; `turn` moves the next corner's index to the place
+  * of the last one.
   */
 case class TriangleCommand(config: RasterConfig) extends Component {
   val layout = StoreLayout(config)
@@ -18,12 +18,12 @@ case class TriangleCommand(config: RasterConfig) extends Component {
     val up = slave(GroupPort())
     val turn = out Bool ()
     val tag = in Bits (StoredVertex.Tag.width bits)
-    val fresh = in Bool () // no triangle of the frame has come yet
+    val fresh = in Bool () // no triangle of the frame has arrived yet
     val reads = master(Stream(UInt(layout.bankAddressBits bits)))
     val answer = slave(Flow(Bits(32 bits)))
     val writes = master(Stream(StoreWrite(layout)))
     val arrived = out(Reg(UInt(CommandDecoder.CountBits bits)))
-    val stored = out(Reg(UInt(config.countBits bits))) // in the bank
+    val stored = out(Reg(UInt(config.countBits bits))) // triangles in the bank
     val refused = out Bool ()
   }
   object State extends SpinalEnum(binaryOneHot) {
@@ -33,12 +33,12 @@ case class TriangleCommand(config: RasterConfig) extends Component {
   val group = io.up.group
   val renderState = Reg(Bits(StoredTriangle.State.width bits))
   val askedState = TrianglesHeadLayout.State.in(group.single)
-  val noSuchState = RegNext(askedState.dropLow(renderState.getWidth).orR) // their number is a power of two
+  val noSuchState = RegNext(askedState.dropLow(renderState.getWidth).orR) // the number of states is a power of two
   val corner = StoredTriangle.V2.in(group.words).asUInt
   val full = RegNext(io.stored === config.maxTriangles)
   val triangle = new TriangleAssembly(config, io.tag, corner, io.answer.payload, state === State.response)
   val refused = triangle.stale || (!triangle.nothing && full)
-  val done = False // with the triangle in hand
+  val done = False // the current triangle is done
 
   io.reads.valid := state === State.read
   io.reads.payload := StoreAddress.vertex(layout, corner, triangle.word)

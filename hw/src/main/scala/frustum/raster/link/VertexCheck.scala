@@ -4,10 +4,10 @@ import frustum.contract.raster.VertexRanges
 import spinal.core._
 import spinal.lib._
 
-/** Watches the ten words of a vertex pass by and tells whether one is out of range, the same test as
-  * [[frustum.contract.raster.PackedVertex.fault]]. `word` carries pairs of words; in the clock after each, while `busy`, `pair` is
-  * its pair, 0 to 4, and `second` tells the later of it. `fault` is right from the clock after that until `clear`; depth,
-  * exponent and colour cannot be out of range.
+/** Checks the ten words of a vertex as they pass for range, the same test as
+  * [[frustum.contract.raster.PackedVertex.fault]]. `word` carries pairs of words; in the cycle after each, while
+  * `busy`, `pair` is its pair, 0 to 4, and `second` is high for the later one of it. `fault` is right from the cycle
+  * after that until `clear`; depth, exponent and colour cannot be out of range.
   */
 case class VertexCheck(ranges: VertexRanges) extends Component {
   val io = new Bundle {
@@ -22,7 +22,7 @@ case class VertexCheck(ranges: VertexRanges) extends Component {
 
   // A field of n bits that may hold -2^(n-1) + 1 to 2^(n-1) - 1: its spare upper bits repeat the sign, and the most
   // negative value is refused, which for texture coordinates takes both words.
-  private val magnitude = ranges.position + 4 // bits
+  private val magnitude = ranges.position + 4 // bits of the magnitude of x and y
   private val low = ranges.repeats // so many bits of a texture coordinate's upper word
   private def zeroes(high: Int, low: Int) = if (high < low) True else RegNext(word(high downto low) === 0)
   val lowZero = zeroes(low - 1, 0)

@@ -5,7 +5,7 @@ import frustum.raster.store.FieldBits._
 import spinal.core._
 import spinal.lib._
 
-/** A word of a vertex on its way to the store; a vertex's words follow one another. */
+/** A word of a vertex for the store; a vertex's words follow one another. */
 case class VertexWord(config: RasterConfig) extends Bundle {
   val index = UInt(config.vertexBits bits)
   val word = UInt(log2Up(StoredVertex.words) bits)
@@ -20,7 +20,7 @@ case class VertexCommand(config: RasterConfig) extends Component {
     val up = slave(GroupPort())
     val passing = slave(Flow(Bits(16 bits))) // the words of the command
     val down = master(Stream(VertexWord(config)))
-    val fresh = in Bool () // no vertex of the frame has come yet
+    val fresh = in Bool () // no vertex of the frame has arrived yet
     val arrived = out(Reg(UInt(CommandDecoder.CountBits bits)))
     val refused = out Bool ()
   }

@@ -6,7 +6,7 @@ import spinal.core._
 import spinal.lib._
 
 /** Puts vertices into the store under the frame's tag. One that is out of range leaves its slot with the tag of another
-  * frame, and the words from the fault on as they were.
+  * frame, and the words from the first error on unchanged.
   */
 case class VertexStore(config: RasterConfig) extends Component {
   val layout = StoreLayout(config)

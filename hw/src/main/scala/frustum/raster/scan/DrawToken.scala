@@ -5,7 +5,7 @@ import spinal.core._
 
 /** What starts the drawing of a triangle's part in a tile, or ends the tile.
   *
-  * The planes' values at the first pixel of the first span, whose column is `x`, lie in the slot's entry `parity`.
+  * The planes' values at the first pixel of the first span, whose column is `x`, are in the slot's entry `parity`.
   */
 case class DrawToken(config: RasterConfig) extends Bundle {
   val tileEnd = Bool()

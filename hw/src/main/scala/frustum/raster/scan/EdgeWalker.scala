@@ -4,22 +4,23 @@ import frustum.contract.raster.RasterConfig
 import spinal.core._
 import spinal.lib._
 
-/** Pixels `first` to `last` of row `y` of the tile, inclusive; or, with `end`, no pixels and no more of the triangle. */
+/** Pixels `first` to `last` of row `y` of the tile, inclusive; or, with `end`, no pixels and no more of the triangle.
+  */
 case class Span(config: RasterConfig) extends Bundle {
   val y = UInt(config.tileLog2Height bits)
   val first, last = UInt(config.tileLog2Width bits)
   val end = Bool()
 }
 
-/** Finds the pixels of a triangle in a tile: from the top row down, each row's span, then the end mark.
+/** Finds the pixels of a triangle in a tile: from the top row down, each row's span, then the end marker.
   *
   * Each of the three edge functions keeps the outermost pixel of the row that it lets through (the leftmost where the
-  * function grows to the right), stepping inwards or outwards from the row above. The edges take turns at one adder.
+  * function grows to the right), stepping inwards or outwards from the row above. The edges share one adder in turn.
   * Top-left rule (Pineda 1988, with integer edge functions at pixel centres): an exact zero is inside for a top or left
   * edge alone.
   *
-  * Clocks: 4 before the first row; per row 4, and 3 for each lateral step of the edge that takes most (up to 2 fewer, as
-  * the row ends with its last edge); while `up` is not ready it waits with the row's span.
+  * Clocks: 4 before the first row; per row 4, and 3 for each lateral step of the edge that takes most (up to 2 fewer,
+  * as the row ends with its last edge); while `up` is not ready the span is held.
   *
   * To load, while `idle`: per edge its steps per 1/16 pixel (x then y, edge after edge, never both 0) and, edge after
   * edge too, each after its steps, its function in the top row, at the left column or, where the x step is negative, at
@@ -27,7 +28,7 @@ case class Span(config: RasterConfig) extends Bundle {
   */
 case class EdgeWalker(config: RasterConfig) extends Component {
   val io = new Bundle {
-    val lastColumn = in UInt (config.tileLog2Width bits) // of the tile that lie on the screen
+    val lastColumn = in UInt (config.tileLog2Width bits) // of the pixels of the tile that are on the screen
     val lastRow = in UInt (config.tileLog2Height bits)
     val step = slave(Flow(SInt(17 bits)))
     val edge = slave(Flow(new Bundle { val index = UInt(2 bits); val value = SInt(32 bits) }))
@@ -47,7 +48,7 @@ case class EdgeWalker(config: RasterConfig) extends Component {
   val lastRow = RegNextWhen(io.lastRow, io.start)
   val row = Reg(UInt(config.tileLog2Height bits))
 
-  /** What goes round: from place a over b and c to a again. */
+  /** State of the edges that circulates: from place a over b and c to a again. */
   case class Ring[T <: Data](kind: HardType[T], turn: Bool) extends Area {
     val a, b, c = Reg(kind())
     when(turn) { a := c; b := a; c := b }
@@ -64,7 +65,7 @@ case class EdgeWalker(config: RasterConfig) extends Component {
     Ring(SInt(config.ranges.edgeBits bits), turn) // at the pixel of `position`, or, if `back`, at the one outside of it
   val position = Ring(UInt(config.tileLog2Width bits), turn)
   val back = Ring(Bool(), turn) // not yet primed: the value's sixteenths are zero
-  val parity = Ring(Bool(), turn) // of the row that the edge works on
+  val parity = Ring(Bool(), turn) // parity of the row that the edge works on
   when(loading) {
     value.c := (io.edge.value >> 4).resized
     position.c := 0
@@ -79,7 +80,7 @@ case class EdgeWalker(config: RasterConfig) extends Component {
   val stop = RegNextWhen(isFlat || atEnd, turn)
 
   // Between c and a: what to do. An edge moves inwards where its value is negative. Once it is inside and can only move
-  // outwards from row to row, it looks at the pixel outside of its own, and moves outwards where that is not negative.
+  // outwards from row to row, it tests the pixel outside of its own, and moves outwards where that is not negative.
   val fromRight = slope.c.msb
   val negative = value.c.msb
   val move = Mux(negative ^ back.c, !stop, !back.c && !negative && !descent.c.msb)
@@ -90,7 +91,8 @@ case class EdgeWalker(config: RasterConfig) extends Component {
   val shifts = moves && (negative || back.c)
   val topLeft = !fromRight && (!flat || !descent.c.msb)
 
-  // Sixteenths are the same at every pixel centre and are dropped: a zero becomes less where the edge does not own it.
+  // Sixteenths are the same at every pixel centre and are dropped: a zero becomes negative where it is outside of the
+  // edge.
   val addend = RegNextWhen(
     Mux(moves, slope.c ^ S(stepBits bits, default -> !add), descent.c | S(stepBits bits, default -> !add)),
     turn

@@ -3,8 +3,8 @@ package frustum.raster.scan
 import frustum.contract.raster.RasterConfig
 import spinal.core._
 
-/** What the interpolator hands to the fragment stages, one a clock: a pixel of the current tile with its attributes,
-  * or the mark that ends the tile.
+/** What the interpolator gives to the fragment stages, one per cycle: a pixel of the current tile with its attributes,
+  * or the tile-end marker.
   *
   *   - `s`, `t`: s/w and t/w, 23 fractional bits; `q`: 1/w scaled so that the triangle's largest lies in 0.5..1,
   *     31 fractional bits; texture coordinate in repeats = s / q

@@ -14,23 +14,23 @@ case class CoefficientWrite(slots: Int) extends Bundle {
 
 object Coefficient {
   // entries of a slot
-  val Initial = 0 // and 1: one is read while the other is written
+  val Initial = 0 // entries 0 and 1: one is read while the other is written
   // the step to the left is a complement: its negative, less one
   val Right = 2; val Left = 3; val Down = 4
 }
 
-/** Moves the attribute planes from pixel to pixel: one move a clock, a fragment wherever a span is.
+/** Moves the attribute planes from pixel to pixel: one move per cycle, a fragment wherever a span is.
   *
-  * Rows are walked to and fro. From the end of one row the move goes down and then sideways to the near end of the next,
-  * so its cost is the edge's lateral move, which the edge walker takes longer for. Coefficients lie in memory, one entry
-  * per kind of move, so that an attribute costs an adder and its register.
+  * Rows are walked in alternating directions. From the end of one row the move goes down and then sideways to the near
+  * end of the next, so its cost is the edge's lateral move, which the edge walker takes longer for. Coefficients are in
+  * memory, one entry per kind of move, so that an attribute costs an adder and its register.
   */
 case class Interpolator(config: RasterConfig) extends Component {
   val io = new Bundle {
     val token = slave(Stream(DrawToken(config)))
     val spans = slave(Stream(Span(config)))
     val write = slave(Flow(CoefficientWrite(config.slots)))
-    val busy = out Bool () // a token or its fragments are under way
+    val busy = out Bool () // a token or its fragments are in flight
     val down = master(Stream(InterpolatedFragment(config)))
   }
 
@@ -43,7 +43,7 @@ case class Interpolator(config: RasterConfig) extends Component {
     val seekLeft = Bool() // the direction from the row before to `near`
   }
   val rows = Stream(Row())
-  val row = rows.s2mPipe().m2sPipe() // no way of ready leads through
+  val row = rows.s2mPipe().m2sPipe() // ready has no combinational path through
   val leftwards = RegInit(False)
   when(rows.fire) { leftwards := !leftwards && !rows.end }
   rows.arbitrationFrom(io.spans)
@@ -54,20 +54,20 @@ case class Interpolator(config: RasterConfig) extends Component {
   rows.leftwards := leftwards
   rows.seekLeft := rows.near < RegNextWhen(rows.far, rows.fire)
 
-  // Clock 1 of a move: the coefficient is asked for.
+  // Cycle 1 of a move: the coefficient is requested.
   val x = Reg(UInt(config.tileLog2Width bits))
   val y = Reg(UInt(config.tileLog2Height bits))
-  val moving = RegInit(False) // a triangle is being drawn: clock 2 of its last move, to (x, y)
+  val moving = RegInit(False) // a triangle is being drawn: cycle 2 of its last move, to (x, y)
   val drawing = Reg(Bool()) // the move before was a fragment of the same row
-  val ending = RegInit(False) // clock 2 of a tile's end
-  val free = Bool() // the register of `down` is
-  val advance = free && row.valid // a move goes from clock 2 to the register of `down`
+  val ending = RegInit(False) // cycle 2 of a tile's end
+  val free = Bool() // the register of `down` is free
+  val advance = free && row.valid // a move goes from cycle 2 to the register of `down`
   val atY = y === row.y
   val reached = drawing || x === row.near
   val atFar = x === row.far
   val covered = atY && reached
   val rowDone = covered && atFar
-  val inRow = atY && !(reached && atFar) // the move stays in it
+  val inRow = atY && !(reached && atFar) // the move stays in the row
   val finish = moving && row.end
   val toLeft = Mux(reached, row.leftwards, row.seekLeft)
   // Coefficient.Left or Right, Down, or an Initial one
@@ -92,9 +92,9 @@ case class Interpolator(config: RasterConfig) extends Component {
     }
   }
 
-  // Clock 2: it is added. In place of the move that the end mark followed, the planes become zero: the next move brings
+  // Cycle 2: it is added. In place of the move before the end marker, the planes become zero: the next move brings
   // another triangle's first value.
-  val complement = RegNextWhen(moving && inRow && toLeft, moves) // the step to the left lacks one
+  val complement = RegNextWhen(moving && inRow && toLeft, moves) // adds the one that the step to the left lacks
   private def fullWidth(plane: Int) =
     if (plane < SetupWords.PlaneQ) config.ranges.coordinateBits else if (plane <= SetupWords.PlaneZ) 32 else 16
   val planes = for (plane <- config.fixed.planes) yield new Area {

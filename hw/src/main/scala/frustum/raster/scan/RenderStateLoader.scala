@@ -1,16 +1,16 @@
 package frustum.raster.scan
 
-import frustum.contract.raster.{RasterConfig, StoreLayout}
+import frustum.contract.raster.{RasterConfig, StoreLayout, StoredState, StoredStateLayout}
 import frustum.raster.link.StoreAddress
 import frustum.raster.store.{RenderStateWord, StoreBus}
 import spinal.core._
 import spinal.lib._
 
-/** Holds the render state that the fragment stages see. Before a triangle of another state passes, everything in flight
+/** Holds the render state of the fragment stages. Before a triangle of another state passes, everything in flight
   * drains and the new state is read from the store. Where nothing of a state can be chosen there is nothing to load.
   */
-case class RenderStateLoader(config: RasterConfig) extends Component {
-  val layout = StoreLayout(config)
+case class RenderStateLoader(config: RasterConfig, stored: StoredStateLayout = StoredState) extends Component {
+  val layout = StoreLayout(config, stored)
   val io = new Bundle {
     val flush = in Bool () // a new frame: its states are to be read
     val bank = in UInt (1 bits)
@@ -38,11 +38,11 @@ case class RenderStateLoader(config: RasterConfig) extends Component {
     io.down << up.continueWhen(passes)
     io.current := current.fixed(config.fixed)
 
-    // The state's words are asked for one after the other.
+    // The state's words are requested one after the other.
     val words = layout.stateWords
     val word = (words > 1) generate Reg(UInt(log2Up(words) bits))
     def isWord(n: Int) = if (words > 1) word === n else True
-    val asking = RegInit(False) // until the last answer
+    val asking = RegInit(False) // a load is in progress, until the last answer
     val start = up.valid && !right && !io.busy && !asking
     val answer = asking && io.store.rsp.valid
     io.store.cmd.valid := RegInit(False) setWhen (start || answer && !isWord(words - 1)) clearWhen io.store.cmd.fire
@@ -52,7 +52,7 @@ case class RenderStateLoader(config: RasterConfig) extends Component {
     asking.setWhen(start)
     if (words > 1) when(start || answer)(word := Mux(start, U(0), word + 1))
     when(answer) {
-      for (n <- 0 until words) when(isWord(n))(current.load(n, io.store.rsp.payload))
+      for (n <- 0 until words) when(isWord(n))(current.load(stored, n, io.store.rsp.payload))
       when(isWord(words - 1)) {
         asking := False
         index := up.state

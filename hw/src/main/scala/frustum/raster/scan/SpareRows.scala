@@ -3,8 +3,8 @@ package frustum.raster.scan
 import spinal.core._
 import spinal.lib._
 
-/** Access to the rows of the table that [[frustum.contract.raster.FetchProgram]] leaves free: `width` bits each, readable while `free`,
-  * one clock after `address`.
+/** Access to the rows of the table that [[frustum.contract.raster.FetchProgram]] leaves free: `width` bits each,
+  * readable while `free`, one cycle after `address`.
   */
 case class SpareRows(rows: Int, width: Int) extends Bundle with IMasterSlave {
   val free = Bool()

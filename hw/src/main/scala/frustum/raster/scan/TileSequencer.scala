@@ -8,10 +8,11 @@ import frustum.raster.tile.TilePosition
 import spinal.core._
 import spinal.lib._
 
-/** Walks a frame's tiles row by row and, for each, all triangles in order: a triangle whose box misses the tile costs one
-  * clock. Runs ahead of the set-up by one triangle.
+/** Walks a frame's tiles row by row and, for each, all triangles in order: a triangle whose box misses the tile costs
+  * one cycle. Runs ahead of the set-up by one triangle.
   *
-  * `frame` is taken when its last job has left the units behind (`drained`); `tile` announces each tile before its jobs.
+  * `frame` is taken when the units after this one have finished its last job (`drained`); `tile` announces each tile
+  * before its jobs.
   */
 case class TileSequencer(config: RasterConfig) extends Component {
   val layout = StoreLayout(config)
@@ -20,26 +21,26 @@ case class TileSequencer(config: RasterConfig) extends Component {
     val store = master(StoreBus(layout))
     val tile = master(Stream(TilePosition()))
     val job = master(Stream(TileJob(config)))
-    val drained = in Bool () // no job is under way
+    val drained = in Bool () // no job is in flight
   }
 
   object State extends SpinalEnum { val Idle, Tile, Settle, Scan, Hand, End, Drain = newElement() }
   val state = RegInit(State.Idle)
   val tile = Reg(TilePosition())
-  val next = Reg(UInt(config.countBits bits)) // the next triangle to be looked at, counted from 1
+  val next = Reg(UInt(config.countBits bits)) // the next triangle to be compared, counted from 1
   val frame = io.frame.payload
 
-  // A box is asked for every clock. Its answer is held against the tile when it comes, and looked at a clock later; after
-  // a hit the answers still under way are let go by.
-  val asked = Reg(UInt(config.countBits bits)) // the next box to be asked for, counted from 1
-  val pending = Reg(UInt(2 bits)) init 0 // answers under way
+  // A box is requested every cycle. It is compared with the tile when it arrives, and the result is used a cycle later;
+  // after a hit the boxes still in flight are ignored.
+  val asked = Reg(UInt(config.countBits bits)) // the next box to be requested, counted from 1
+  val pending = Reg(UInt(2 bits)) init 0 // boxes in flight
   val response = io.store.rsp
   def box(of: Field) = of.in(response.payload).asUInt
   val looking = RegNext(response.valid, False)
   val inside = RegNext(box(StoredTriangle.X0) <= tile.tileX) && RegNext(box(StoredTriangle.X1) >= tile.tileX) &&
     RegNext(box(StoredTriangle.Y0) <= tile.tileY) && RegNext(box(StoredTriangle.Y1) >= tile.tileY)
   val boxState = RegNext(StoredTriangle.State.in(response.payload).asUInt)
-  val ended = Reg(Bool()) // none is left to be looked at
+  val ended = Reg(Bool()) // none is left to be compared
   val hitTriangle = Reg(UInt(config.triangleBits bits))
   val hitState = Reg(UInt(4 bits))
 
@@ -83,7 +84,7 @@ case class TileSequencer(config: RasterConfig) extends Component {
         next := next + 1
         ended := next === frame.triangleCount
         hitTriangle := (next - 1).resized
-        hitState := (if (config.fixed.whole) U(0) else boxState) // one is as good as another
+        hitState := (if (config.fixed.whole) U(0) else boxState) // any will do
         when(inside) { state := State.Hand }
       }
     }

@@ -4,8 +4,8 @@ import frustum.contract.raster.RasterConfig
 import spinal.core._
 import spinal.lib._
 
-/** The token being drawn and the one after it. What they need must not be set up anew meanwhile: their slots, and, of a
-  * slot, the entries for first values, of which there are two. `slotUsed` and `full` are a clock late.
+/** The token being drawn and the one after it. What they need must not be overwritten meanwhile: their slots, and, of a
+  * slot, the entries for first values, of which there are two. `slotUsed` and `full` are a cycle late.
   */
 case class TokenQueue(config: RasterConfig) extends Component {
   val io = new Bundle {
@@ -16,7 +16,7 @@ case class TokenQueue(config: RasterConfig) extends Component {
     val full = out Bool () // two triangles' tokens are held
     val busy = out Bool ()
   }
-  val waiting = io.up.halfPipe() // cuts the way of ready
+  val waiting = io.up.halfPipe() // cuts the path of ready
   val drawn = waiting.m2sPipe()
   private def holds(token: Stream[DrawToken]) = token.valid && !token.tileEnd
   io.down << drawn

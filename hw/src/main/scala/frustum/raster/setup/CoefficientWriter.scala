@@ -5,7 +5,7 @@ import frustum.raster.scan.{Coefficient, CoefficientWrite}
 import spinal.core._
 import spinal.lib._
 
-/** Turns the set-up engine's gradients and first values into the interpolator's coefficients, one write a clock: a
+/** Turns the set-up engine's gradients and first values into the interpolator's coefficients, one write per cycle: a
   * horizontal gradient becomes a step to the right and one to the left, the latter as a complement, to which the
   * interpolator adds the missing one.
   */
@@ -20,7 +20,7 @@ case class CoefficientWriter(slots: Int) extends Component {
   val value = Reg(SInt(32 bits))
   val plane = Reg(UInt(3 bits))
   val entry = Reg(UInt(3 bits))
-  val both = RegInit(False) // the step to the left is still to come
+  val both = RegInit(False) // the step to the left follows
   val writing = RegInit(False)
   io.write.valid := writing
   io.write.plane := plane

@@ -3,7 +3,7 @@ package frustum.raster.setup
 import frustum.contract.raster.RasterConfig
 import spinal.core._
 
-/** What [[frustum.contract.raster.FetchProgram]] takes beside the store's words. */
+/** What [[frustum.contract.raster.FetchProgram]] takes in addition to the store's words. */
 case class FetchValues(config: RasterConfig) extends Bundle {
   val tileX, tileY = UInt(5 bits)
   val lastColumn, coveredX = UInt(config.tileLog2Width bits)

@@ -6,20 +6,21 @@ import frustum.device.{ComplementingAdder, Tech}
 import spinal.core._
 import spinal.lib._
 
-/** A result on its way from the engine to whoever takes it. */
+/** A result that leaves the engine. */
 case class SetupResult() extends Bundle {
   val kind = UInt(3 bits) // SetupInstruction.Result.code
   val target = UInt(SetupMemory.CodeBits bits) // a word's code, a plane or an edge
   val value = SInt(32 bits)
 }
 
-/** Runs a section of [[frustum.contract.raster.SetupProgram]] on one slot of its scratch memory: one multiply-accumulate of 32 by 32
-  * bits in two clocks, from one read port (first `b`, then `a`).
+/** Runs a section of [[frustum.contract.raster.SetupProgram]] on one slot of its scratch memory: one
+  * multiply-accumulate of 32 by 32 bits in two cycles, from one read port (first `b`, then `a`).
   *
-  * Between runs (`idle`) the scratch memory belongs to `write` and `read`; data is on `readData` one clock after `read`.
+  * Between runs (`idle`) the scratch memory belongs to `write` and `read`; data is on `readData` one cycle after
+  * `read`.
   *
   * @param slots  triangles that the scratch memory holds, beside the words that all share
-  * @param planes that are wanted
+  * @param planes that are needed
   */
 case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] = SetupWords.AllPlanes)
     extends Component {
@@ -29,7 +30,7 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
   val program = SetupProgram(planes)
   val memory = SetupMemory(planes)
   val sectionBits = log2Up(program.sections.length)
-  // Slots of 32 words at most lie one after the other, before the shared words: an address is put together, not added up.
+  // Slots of 32 words at most are one after the other, before the shared words: an address is concatenated, not added.
   private val slotWords = memory.slotWords
   private val aligned = slotWords <= 32
   private val shared = if (aligned) slots * 32 else 0
@@ -48,14 +49,14 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
     val step = master(Flow(SInt(17 bits)))
   }
 
-  // An instruction takes two clocks, phases 0 and 1. Its word appears at the ROM's output in phase 0.
+  // An instruction takes two cycles, phases 0 and 1. Its word appears at the ROM's output in phase 0.
   val image = program.image
   val pcBits = log2Up(image.length + 1)
   val phase = RegInit(False)
   phase := !phase
   val pc, end = Reg(UInt(pcBits bits))
   val running, executing = RegInit(False)
-  val more = RegNext(pc =/= end) // pc has stood still for a clock when it is looked at
+  val more = RegNext(pc =/= end) // pc has been constant for a cycle when it is compared
   val fetch = running && more
   when(phase) {
     executing := fetch
@@ -86,7 +87,7 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
   val atTop = word(28)
   val far = word(29)
 
-  // Clock 0 reads b, clock 1 a. An edge's walk starts at the side from which its function grows.
+  // Cycle 0 reads b, cycle 1 a. An edge's walk starts at the side from which its function grows.
   val scratch = Mem(SInt(32 bits), words)
   scratch.init((0 until words).map(n => S(memory.initial.applyOrElse(n - shared, (_: Int) => 0), 32 bits)))
   val bases = Vec((0 until slots).map(n => U(memory.sharedWords + n * slotWords, log2Up(words) bits)))
@@ -97,7 +98,7 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
   val readWord = UInt(CodeBits bits)
   val data = scratch.readSync(address(readWord), readUnderWrite = dontCare)
   readWord := Mux(executing, Mux(phase, wordA, wordB), io.read)
-  val falls = data.msb =/= instruction.subtract // the product, where `a` grows
+  val falls = data.msb =/= instruction.subtract // the product falls where `a` grows
   when(executing && phase && (atLeft && falls =/= far || atTop && far && !falls)) {
     readWord.lsb := True
   } // Right, Bottom
@@ -107,7 +108,7 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
   io.step.valid := executing && phase && (atLeft || atTop) && !far
   io.step.payload := Mux(instruction.subtract, -operandStep, operandStep)
 
-  // Clocks 2 and 3 hand the multipliers a, and b's signed lower half, then its upper half, rounded up to make good for
+  // Cycles 2 and 3 give the multipliers a, and b's signed lower half, then its upper half, rounded up to compensate for
   // the sign.
   val bUpper = RegNextWhen((data(31 downto 16).asUInt + data(15).asUInt).asBits, phase)
   val bHalf = RegNext(Mux(phase, data(15 downto 0).asBits, bUpper))
@@ -117,13 +118,13 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
   high.io.a := data(31 downto 16).asBits
   Seq(low, high).foreach { m => m.io.enable := True; m.io.b := bHalf; m.io.holdA := phase }
 
-  // The instruction's control follows: stage n is valid in clocks 2 n and 2 n + 1.
+  // The instruction's control follows: stage n is valid in cycles 2 n and 2 n + 1.
   val valids = History(executing, 4, phase, False).tail
   val controls = History(instruction, 4, phase).tail
   def control(clock: Int) = controls(clock / 2 - 1)
 
-  // Clocks 4 and 5 add the partial products (complemented to subtract), clocks 5 and 6 accumulate: the lower half of b's
-  // first, 16 bits lower.
+  // Cycles 4 and 5 add the partial products (complemented to subtract), cycles 5 and 6 accumulate: the lower half of
+  // b's first, 16 bits lower.
   val complement = control(4).subtract
   val upperSum = ComplementingAdder(32, tech)
   upperSum.io.complement := complement
@@ -143,7 +144,7 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
   }
   accumulator := start + addend + carry.asUInt.resize(48).asSInt
 
-  // Clock 7 hands the result on.
+  // In cycle 7 the result leaves.
   val done = valids(2) && phase
   private val any = SetupWords.Nothing
   val kind = control(7).kind
@@ -159,7 +160,7 @@ case class SetupEngine(slots: Int, tech: Tech = Tech.Generic, planes: Seq[Int] =
   scratch.write(
     address(Mux(done, control(7).target, io.write.word)),
     Mux(done, value, io.write.data),
-    // registers mean nothing before their first clock under reset: the constants must outlast it
+    // Before their first cycle under reset registers are undefined: the constants must keep their values.
     enable = Mux(done, toScratch, io.write.valid) && !ClockDomain.current.isResetActive
   )
 

@@ -34,16 +34,16 @@ case class FetchRow() extends Bundle {
 }
 
 /** Writes words into the set-up engine's scratch memory: with `start`, a triangle's three vertices from the store, or,
-  * with `program` at 48 or more, that program of [[frustum.contract.raster.FetchProgram]]. A row a clock, and a store read for each
-  * store word. The last word is written three clocks after `idle` is back, before the engine can read it.
+  * with `program` at 48 or more, that program of [[frustum.contract.raster.FetchProgram]]. A row a cycle, and a store
+  * read for each store word. The last word is written three cycles after `idle` is back, before the engine can read it.
   *
-  * @param planes that are wanted
+  * @param planes that are needed
   */
 case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = SetupWords.AllPlanes) extends Component {
   val layout = StoreLayout(config)
   val io = new Bundle {
     val start = in Bool ()
-    val program = in UInt (6 bits) // 0: vertices
+    val program = in UInt (6 bits) // first row of the program; 0 for a triangle's vertices
     val idle = out Bool ()
     val triangle = in UInt (config.triangleBits bits)
     val bank = in UInt (1 bits)
@@ -91,11 +91,11 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
   def isFrom(kind: Source.Value) = action.sources(kind.id)
 
   // Store reads: the vertices' indices, the three exponents, then word after word of each vertex. Indices and exponents
-  // go round, the vertex at hand first.
+  // rotate, the current vertex first.
   val indices = Vec.fill(3)(Reg(UInt(config.vertexBits bits)))
   val exponents = Vec.fill(3)(Reg(UInt(5 bits)))
   def turn[T <: Data](ring: Vec[T]): Unit = { ring(0) := ring(1); ring(1) := ring(2); ring(2) := ring(0) }
-  val ask = False // the address follows a clock later
+  val ask = False // a read of the store, whose address follows a cycle later
   val asking = RegInit(False) clearWhen io.store.cmd.fire setWhen RegNext(ask, False)
   val wanted = Mux(state === State.Exponents, U(StoredVertex.QExponent.slice.word, 3 bits), action.word)
   val response = io.store.rsp
@@ -110,8 +110,8 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
 
   val data = Reg(Bits(32 bits)) // a store word; the next field is always at its top
 
-  // Clock 1 of a row: the scratch memory is asked for the word to subtract; clock 2: the difference; clock 3: its place;
-  // clock 4: the write.
+  // Cycle 1 of a row: the word to subtract is requested from the scratch memory; cycle 2: the difference; cycle 3: its
+  // place; cycle 4: the write.
   val working = state === State.Write
   val values = io.values
   io.read := action.origin

@@ -12,9 +12,9 @@ case class SlotJob(config: RasterConfig) extends Bundle {
   val known = Bool() // the slot already holds the triangle; otherwise it is to be set up there
 }
 
-/** Finds the slot of a job's triangle, one candidate a clock, or gives it the slot that was given away longest ago. The
-  * slots' triangles lie in spare rows of the set-up's table. Takes 4 to `slots` + 5 clocks, while the job before is set
-  * up.
+/** Finds the slot of a job's triangle, one candidate per cycle, or assigns it the slot that was assigned longest ago.
+  * The slots' triangles are in spare rows of the set-up's table. Needs 4 to `slots` + 5 cycles, while the job before is
+  * set up.
   */
 case class SlotLookup(config: RasterConfig) extends Component {
   val io = new Bundle {
@@ -25,10 +25,10 @@ case class SlotLookup(config: RasterConfig) extends Component {
   }
   object State extends SpinalEnum { val Idle, Search, Found, Missed = newElement() }
   val state = RegInit(State.Idle)
-  val next = Reg(UInt(log2Up(config.slots) bits)) // the slot given away next
-  val filled = Reg(UInt(log2Up(config.slots + 1) bits)) // slots given away in this frame
+  val next = Reg(UInt(log2Up(config.slots) bits)) // the slot that is assigned next
+  val filled = Reg(UInt(log2Up(config.slots + 1) bits)) // slots assigned in this frame
   val asked = Reg(UInt(log2Up(config.slots + 3) bits))
-  // Two clocks after a candidate is asked for it is known whether it is the triangle's.
+  // Two cycles after the request for a candidate it is known whether it is the triangle's.
   val fresh = RegNext(io.tags.free, False)
   val looked = Delay(asked, 2)
   val beyond = RegNext(RegNext(asked) === filled)

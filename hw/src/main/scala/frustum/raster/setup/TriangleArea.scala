@@ -4,7 +4,7 @@ import frustum.contract.raster.SetupWords
 import spinal.core._
 import spinal.lib._
 
-/** Twice the area of the triangle that is set up, shifted left a bit a clock until bit 29 is set, or by
+/** Twice the area of the triangle that is set up, shifted left a bit per cycle until bit 29 is set, or by
   * [[frustum.contract.raster.SetupWords.MaxShift]].
   *
   * @param result of the set-up engine
@@ -19,7 +19,7 @@ class TriangleArea(result: Flow[SetupResult], code: Int) extends Area {
     value := result.value.asUInt.resized
     backward := result.value.msb
   }
-  val nothing = RegNext(backward || value === 0) // is drawn
+  val nothing = RegNext(backward || value === 0) // nothing of the triangle is drawn
   val normal = value.msb || place === 30 - SetupWords.MaxShift
 
   def start(): Unit = {
@@ -32,6 +32,8 @@ class TriangleArea(result: Flow[SetupResult], code: Int) extends Area {
     place := place - 1
   }
 
-  /** From the area's shift to that of the gradients, four bits further, and from there to that of a sliver's, 14 bits less. */
+  /** From the area's shift to that of the gradients, four bits further, and from there to that of a sliver's, 14 bits
+    * less.
+    */
   def toGradients(): Unit = place := Mux(sliver, place + 14, place - 4)
 }

@@ -9,22 +9,23 @@ import spinal.lib._
 
 /** Sets triangles up for the tiles they touch, ahead of the interpolator by two.
   *
-  * A triangle met for the first time in a frame is fetched and set up whole. It then keeps its slot until another
-  * triangle takes it, so that in further tiles only the edge functions and the planes' first values are computed.
+  * A triangle that occurs for the first time in a frame is fetched and set up completely. It then keeps its slot until
+  * another triangle takes it, so that in further tiles only the edge functions and the planes' first values are
+  * computed.
   *
   */
 case class TriangleSetup(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val layout = StoreLayout(config)
   val io = new Bundle {
-    val flush = in Bool () // a new frame: the triangles kept are no more
+    val flush = in Bool () // a new frame: no triangle is kept
     val bank = in UInt (1 bits)
     val job = slave(Stream(TileJob(config)))
     val store = master(StoreBus(layout))
     val write = master(Flow(CoefficientWrite(config.slots)))
     val spans = master(Stream(Span(config)))
     val token = master(Stream(DrawToken(config)))
-    val busy = out Bool () // jobs or tokens are under way
-    val setUp = out Bool () // pulses when a triangle has been set up whole
+    val busy = out Bool () // jobs or tokens are in flight
+    val setUp = out Bool () // pulses when a triangle has been set up completely
     val moved = out Bool () // pulses when a triangle has been moved to a tile
   }
 
@@ -53,7 +54,7 @@ case class TriangleSetup(config: RasterConfig, tech: Tech = Tech.Generic) extend
   walker.io.step << engine.io.step
   val isEdge = result.valid && result.kind === SetupInstruction.Edge(0).code
   val atFar = result.target(2) // the edge function where it is largest in the tile
-  val outside = RegInit(False) setWhen (isEdge && atFar && result.value.msb) // of an edge, the whole tile is
+  val outside = RegInit(False) setWhen (isEdge && atFar && result.value.msb) // all of the tile is outside an edge
   walker.io.edge.valid := isEdge && !atFar
   walker.io.edge.index := result.target.resized
   walker.io.edge.value := result.value
@@ -68,7 +69,7 @@ case class TriangleSetup(config: RasterConfig, tech: Tech = Tech.Generic) extend
   tokens.io.down >> io.token
   io.busy := io.job.valid || found.valid || tokens.io.busy
 
-  // First span of the triangle; the walker's end mark counts only where there was one.
+  // First span of the triangle; the walker's end marker counts only where there was one.
   val seen = RegInit(False)
   val firstX = RegNextWhen(walker.io.up.first, !seen)
   val firstY = RegNextWhen(walker.io.up.y, !seen)
@@ -111,7 +112,7 @@ case class TriangleSetup(config: RasterConfig, tech: Tech = Tech.Generic) extend
         Pixel, Rebase, Hand = newElement()
   }
   val state = RegInit(State.Idle)
-  val busy = RegInit(False) // engine or fetch are at work; `state` is what comes then
+  val busy = RegInit(False) // engine or fetch are busy; `state` is what follows
   engine.io.run.valid := False
   engine.io.run.payload.assignDontCare()
   fetch.io.start := False
@@ -129,7 +130,7 @@ case class TriangleSetup(config: RasterConfig, tech: Tech = Tech.Generic) extend
     state := next
   }
 
-  val finished = RegInit(False) // the job in hand goes, a clock after it is done with
+  val finished = RegInit(False) // the current job leaves, a cycle after it is done
   finished := False
   found.ready := finished
   def finish(): Unit = {
@@ -139,7 +140,7 @@ case class TriangleSetup(config: RasterConfig, tech: Tech = Tech.Generic) extend
 
   io.setUp := False
   val moved = False
-  io.moved := RegNext(moved, False) // as the job goes
+  io.moved := RegNext(moved, False) // as the job leaves
   walker.io.start := False
 
   when(busy) {
@@ -201,7 +202,7 @@ case class TriangleSetup(config: RasterConfig, tech: Tech = Tech.Generic) extend
         when(seen) {
           when(!tokens.io.full) { state := State.Pixel }
         } elsewhen (walker.io.up.valid && walker.io.up.end) {
-          finish() // no span before the end mark
+          finish() // no span before the end marker
         }
       }
       is(State.Pixel) { load(FetchProgram.Pixel, State.Rebase) }

@@ -1,12 +1,14 @@
 package frustum.raster.store
 
 import frustum.contract.Field
-import frustum.contract.raster.{FixedState, RenderStateLayout, StoredState}
+import frustum.contract.raster.{FixedState, RenderStateLayout, StoredStateLayout}
 import frustum.raster.store.FieldBits._
 import spinal.core._
 import spinal.lib._
 
-/** A [[frustum.contract.raster.RenderState]] as the fragment stages see it: the fields of [[frustum.contract.raster.RenderStateLayout]]. */
+/** A [[frustum.contract.raster.RenderState]] for the fragment stages: the fields of
+  * [[frustum.contract.raster.RenderStateLayout]].
+  */
 case class RenderStateWord() extends Bundle {
   import RenderStateLayout._
   private def number(field: Field) = UInt(field.width bits)
@@ -23,15 +25,15 @@ case class RenderStateWord() extends Bundle {
   val blend = Bool()
   val alphaRef = number(AlphaRef)
 
-  /** What the bundle has for a field of the table: the element of its name. */
+  /** The element of the bundle for a field of the table, which has its name. */
   def value(field: Field): BaseType = elements.collectFirst { case (name, of: BaseType) if name == field.name => of }
     .getOrElse(SpinalError(s"RenderStateWord has no ${field.name}"))
 
   /** Takes the fields that word `n` of the stored state holds. */
-  def load(n: Int, word: Bits): Unit =
-    for ((field, stored) <- StoredState.of if stored.slice.word == n) value(field).assignFromBits(stored.in(word))
+  def load(layout: StoredStateLayout, n: Int, word: Bits): Unit =
+    for ((field, stored) <- layout.of if stored.slice.word == n) value(field).assignFromBits(stored.in(word))
 
-  /** With constants for the bits that are. */
+  /** With constants for the constant bits. */
   def fixed(f: FixedState): RenderStateWord = if (f == FixedState.None) this
   else {
     val state = RenderStateWord()

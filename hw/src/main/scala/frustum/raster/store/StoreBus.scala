@@ -10,7 +10,7 @@ case class StoreCmd(layout: StoreLayout) extends Bundle {
   val data = Bits(32 bits)
 }
 
-/** Access to the scene store: a read's data comes on `rsp` exactly one clock after its `cmd` fires, in order. A write
+/** Access to the scene store: a read's data comes on `rsp` exactly one cycle after its `cmd` fires, in order. A write
   * stays until it is taken; a read may be withdrawn before.
   */
 case class StoreBus(layout: StoreLayout) extends Bundle with IMasterSlave {
@@ -19,7 +19,7 @@ case class StoreBus(layout: StoreLayout) extends Bundle with IMasterSlave {
   override def asMaster(): Unit = { master(cmd); slave(rsp) }
 }
 
-/** A frame (or pass) handed to the rasterizer. */
+/** A frame (or pass) for the rasterizer. */
 case class FrameJob(config: RasterConfig) extends Bundle {
   val bank = UInt(1 bits)
   val triangleCount = UInt(config.countBits bits)

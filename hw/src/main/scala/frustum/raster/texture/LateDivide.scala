@@ -9,14 +9,16 @@ import spinal.lib._
 import spinal.lib.misc.pipeline._
 
 /** Texture coordinates s/q and t/q as [[PerspectiveDivide]] makes them, for triangles whose depths are near each other
-  * (`ratio` of [[frustum.contract.raster.VertexRanges]] `LateRatio` at most): one a clock, latency 7, 5 multipliers, 2 tables of 256 x 16.
+  * (`ratio` of [[frustum.contract.raster.VertexRanges]] `LateRatio` at most): one per cycle, latency 7, 5 multipliers,
+  * 2 tables of 256 x 16.
   *
-  * Since q is normalised by e = 0..ratio steps alone, s and t need not be shifted on their way: they wait in memories of 8 words until
-  * the reciprocal is there, and the quotient is shifted.
+  * Since q is normalised by e = 0..ratio steps alone, s and t need not be shifted before the division: they are kept in
+  * memories of 8 words until the reciprocal is there, and the quotient is shifted.
   *
-  *   1. qn = q 2^e in 1/2..1 (a smaller q gives a wrong coordinate, nothing worse); 1 / qn = 2 - r, r of 16 fraction bits
-  *   1. v = s without its lowest bits, which are zero, at most 30 bits; v (2^17 - r), exact, in two products one after the other, of v's
-  *      lower 15 bits and of its upper ones; lowest 15 bits cut
+  *   1. qn = q 2^e in 1/2..1 (a smaller q gives a wrong coordinate, nothing worse); 1 / qn = 2 - r, r of 16 fraction
+  *      bits
+  *   1. v = s without its lowest bits, which are zero, at most 30 bits; v (2^17 - r), exact, in two products one after
+  *      the other, of v's lower 15 bits and of its upper ones; lowest 15 bits cut
   *   1. shifted by e; cut to 17 fraction bits. So half of v's last place, times 2^e, is what is lost
   */
 case class LateDivide(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
@@ -28,7 +30,7 @@ case class LateDivide(config: RasterConfig, tech: Tech = Tech.Generic) extends C
   val at = Reg(UInt(3 bits)) init 0
   when(enable)(at := at + 1)
 
-  /** What was at a node is at that `nodes` behind. */
+  /** What was at a node is at the node that is `nodes` later. */
   def wait(data: Bits, nodes: Int): Bits = {
     val memory = Mem(Bits(widthOf(data) bits), 8)
     memory.addAttribute("ram_style", "block")
@@ -92,12 +94,13 @@ object LateDivide {
   /** Block RAM that it has and [[PerspectiveDivide]] has not. */
   val Memories = 4
 
-  /** Whether a pipeline has it: depths are near each other, and planes that are not wanted leave it the block RAM. */
+  /** Whether a pipeline has it: depths are near each other, and the block RAM of planes that are not needed is free. */
   def suits(config: RasterConfig): Boolean =
     config.ranges.ratio <= VertexRanges.LateRatio && spare(config.fixed.planes) >= Memories
 
-  /** Block RAM of 256 x 16 that a pipeline without some planes does not need: coefficients, two for depth and one for a colour, depth's
-    * tile memories and its wait, and part of [[frustum.raster.fragment.AttributeMemory]], which holds 9 bits beside the colours' 9 each.
+  /** Block RAM of 256 x 16 that a pipeline without some planes does not need: coefficients, two for depth and one for a
+    * colour, depth's tile memories and its delay, and part of [[frustum.raster.fragment.AttributeMemory]], which holds
+    * 9 bits beside the colours' 9 each.
     */
   private def spare(planes: Seq[Int]): Int = {
     val colors = planes.count(_ >= SetupWords.PlaneR)
@@ -108,7 +111,7 @@ object LateDivide {
   /** Lowest bits of s/w and t/w that are left out. */
   def low(config: RasterConfig): Int = config.formats.coordinate.max(config.ranges.coordinateBits - 30)
 
-  /** Slope's and base's word for an index, a clock later. */
+  /** Slope's and base's word for an index, a cycle later. */
   private def tables(index: UInt, enable: Bool): (Bits, Bits) = {
     val slopes = Mem(Bits(16 bits), ReciprocalTable.slopeWords.map(B(_, 16 bits)))
     val bases = Mem(Bits(16 bits), ReciprocalTable.baseWords.map(B(_, 16 bits)))

@@ -7,16 +7,15 @@ import spinal.core._
 import spinal.lib._
 import spinal.lib.misc.pipeline._
 
-/** Texture coordinates s/q and t/q of one fragment a clock, latency 7 clocks, 5 multipliers, 2 tables of 256
-  * x 16.
+/** Texture coordinates s/q and t/q of one fragment per cycle, latency 7 cycles, 5 multipliers, 2 tables of 256 x 16.
   *
   *   1. q is normalised: q 2^e has bit 30 set, e = 0..15 (a smaller q gives a wrong coordinate, nothing
   *      worse); qn = q 2^e / 2^31 = (1 + f) / 2
   *   1. r = 2 f / (1 + f) from [[frustum.contract.arithmetic.ReciprocalTable]], 16 fraction bits, so 1 / qn = 2 - r
-  *   1. s is shifted by the same e: sn, 22 fraction bits; result 2 sn - sn r, the multipliers subtracting, of
-  *      which the lower one takes the complement: low by at most 2^-22; cut to 17 fraction bits. The lower four bits of sn are
-  *      replaced by ones: they need no shifting, a power of two as q stays exact, and the error of cutting
-  *      lies on both sides of zero
+  *   1. s is shifted by the same e: sn, 22 fraction bits; result 2 sn - sn r, the multipliers subtracting, of which the
+  *      lower one takes the complement: low by at most 2^-22; cut to 17 fraction bits. The lower four bits of sn are
+  *      replaced by ones: they need no shifting, a power of two as q stays exact, and the error of cutting is on both
+  *      sides of zero
   *
   * Widths: |s / q| <= 256 and qn < 1, so |sn| < 256 fits s8.22, and |sn (2 - r)| <= 2 |sn| < 512 fits s9.22
   * whatever the input, so nothing wraps after the shift. Error: relative 2^-16 from r, and 2^-17 repeats from
@@ -78,7 +77,7 @@ case class PerspectiveDivide(tech: Tech = Tech.Generic) extends Component {
   io.busy := line.anyValid
   line.build()
 
-  /** One coordinate: shifted one binary step per node beside the reciprocal, then multiplied by 2 - r. */
+  /** One coordinate: shifted one binary step per node while the reciprocal is computed, then multiplied by 2 - r. */
   class Quotient(raw: SInt) extends Area {
     val BY8, BY4, BY2 = Payload(SInt(32 bits))
     val SN = Payload(SInt(31 bits)) // the lower four bits count as ones, which centres the error of cutting

@@ -7,18 +7,18 @@ import spinal.core._
 /** From coordinates to texel addresses; combinational parts of [[TextureUnit]]. */
 object TexelAddress {
 
-  /** What the state says of one axis, decoded: it stands still while fragments pass, so it is kept in registers. */
+  /** The decoded state of one axis, in registers, as it is constant while fragments pass. */
   class Axis(wrap: Bits, log2: UInt) extends Area {
     val clamp = RegNext(wrap === Wrap.Clamp.code)
     val mirror = RegNext(wrap === Wrap.Mirror.code)
 
     /** The size is 2^(size + 3), 8..128. */
     val size = RegNext(Mux(log2.msb, U(4, 3 bits), log2))
-    val mask = RegNext(B((0 until 7).map(i => log2 +^ 3 > i))) // of the index
+    val mask = RegNext(B((0 until 7).map(i => log2 +^ 3 > i))) // bits of the index within the size
   }
 
   /** Index of the texel along one axis, 0..size-1: the coordinate is wrapped at 1/128 resolution, then its lower bits
-    * are dropped. Bits above the size are junk until the last step.
+    * are dropped. Bits above the size are undefined until the last step.
     */
   def index(coordinate: SInt, axis: Axis): UInt = {
     val integer = coordinate(coordinate.high downto TextureCoordinate.FractionBits)

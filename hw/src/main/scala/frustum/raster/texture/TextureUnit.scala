@@ -6,12 +6,12 @@ import frustum.raster.store.RenderStateWord
 import spinal.core._
 import spinal.lib._
 
-/** Nearest texel at a coordinate: wrap, address, fetch, decode; one a clock, latency 3 clocks,
-  * or 2 where there is one texture alone.
+/** Nearest texel at a coordinate: wrap, address, fetch, decode; one per cycle, latency 3 cycles, or 2 where there is
+  * one texture alone.
   *
-  * Texel memory has one port. A write that is offered stops the reading, and is done when the last texel that
-  * was read has been taken, since a write spoils the memory's output; then writes go at one a clock. `state`
-  * must be stable while `busy`, and from the clock before the first coordinate that it concerns.
+  * Texel memory has one port. A write that is offered stops reads, and is done when the last texel that was read has
+  * been taken, since a write invalidates the memory's output; then writes go at one per cycle. `state` must be stable
+  * while `busy`, and from the cycle before the first coordinate that it concerns.
   */
 case class TextureUnit(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val io = new Bundle {
@@ -19,7 +19,7 @@ case class TextureUnit(config: RasterConfig, tech: Tech = Tech.Generic) extends 
     val state = in(RenderStateWord())
     val texels = slave(Stream(TexelWrite()))
     val down = master(Stream(Texel()))
-    val fetch = out Bool () // a texel is being read, which comes the clock after
+    val fetch = out Bool () // a texel is being read, which comes in the next cycle
     val busy = out Bool ()
   }
 
@@ -37,7 +37,7 @@ case class TextureUnit(config: RasterConfig, tech: Tech = Tech.Generic) extends 
   }
   val indexed = wrapped.m2sPipe(collapsBubble = false)
   private val placed = indexed.translateWith(TexelAddress(indexed.s, indexed.t, columns, io.state))
-  // A constant texture's address is hardly more than its index.
+  // A constant texture's address needs little more logic than its index.
   val addressed = if (config.fixed.whole) placed else placed.m2sPipe(collapsBubble = false)
   val read = addressed.haltWhen(io.texels.valid)
   val fetched = read.translateWith(NoData()).m2sPipe(collapsBubble = false)

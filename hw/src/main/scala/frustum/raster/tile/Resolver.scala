@@ -5,13 +5,13 @@ import frustum.video.ResolvedPixel
 import spinal.core._
 import spinal.lib._
 
-/** Sends finished tiles, one pixel a clock while the sink takes them, and clears their memories as it goes: a
-  * word is written with the clear value in the clock after it was read. Tiles at the right and bottom edges
-  * of the screen take as many clocks as whole ones, but only pixels on the screen are sent.
+/** Sends finished tiles, one pixel per cycle while the sink takes them, and clears their memories at the same time: a
+  * word is written with the clear value in the cycle after it was read. Tiles at the right and bottom edges of the
+  * screen take as many cycles as complete ones, but only pixels on the screen are sent.
   *
-  * Both banks hold the clear colour between tiles. A frame with another clear colour than the last (and the
-  * first one) waits until nothing is in flight and clears both banks, which takes one clock a word; otherwise
-  * `start` is taken in its second clock.
+  * Both banks hold the clear colour between tiles. A frame with another clear colour than the last (and the first one)
+  * waits until nothing is in flight and clears both banks, which takes one cycle per word; otherwise `start` is taken
+  * in its second cycle.
   */
 case class Resolver(config: RasterConfig) extends Component {
   val io = new Bundle {
@@ -38,7 +38,7 @@ case class Resolver(config: RasterConfig) extends Component {
   when(io.tileEnd.valid) { pending := True; bank := io.tileEnd.payload }
   when(io.tile.fire) { walking := True; position := io.tile.payload }
 
-  val looked = RegNext(io.start.valid && !io.start.ready) init False // `same` concerns the frame that is offered
+  val looked = RegNext(io.start.valid && !io.start.ready) init False // `same` is for the frame that is offered
   val same = RegNext(color === io.start.clearColor)
   io.start.ready := looked && clean && same
   when(looked && !(clean && same) && !io.drawing && !pending && !clearing) {
@@ -47,12 +47,12 @@ case class Resolver(config: RasterConfig) extends Component {
     clearing := True
   }
 
-  /** The word whose data the memory shows now. */
+  /** The word whose data is at the memory's output. */
   val shown = new Area {
     val valid = RegInit(False)
     val address = Reg(Resolver.this.address)
-    val visible = RegInit(False) // to be sent
-    val first = Reg(Bool()) // of the tile
+    val visible = RegInit(False) // the pixel is on the screen, so it is sent
+    val first = Reg(Bool()) // the first pixel of the tile
     val move = !visible || io.pixels.ready
     val last = valid && move && address.andR
   }

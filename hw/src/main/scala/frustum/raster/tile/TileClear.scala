@@ -4,12 +4,12 @@ import frustum.contract.raster.RasterConfig
 import spinal.core._
 import spinal.lib._
 
-/** How the resolver reads and clears the tile memories, beside the drawing that goes on in the other bank.
-  * All memories follow the same signals; each has its own clear value.
+/** How the resolver reads and clears the tile memories, while the other bank is drawn to. All memories follow the same
+  * signals; each has its own clear value.
   *
   *   - `active`: bank `bank` belongs to the resolver; `all`: both banks do
-  *   - `read`, `write`: enables; the word is written one clock or more after it was read
-  *   - `done`: the bank is clear from the next clock on
+  *   - `read`, `write`: enables; the word is written one cycle or more after it was read
+  *   - `done`: the bank is clear from the next cycle on
   */
 case class TileClear(config: RasterConfig) extends Bundle with IMasterSlave {
   val active, all, read, write, done = Bool()

@@ -4,14 +4,14 @@ import frustum.contract.raster.RasterConfig
 import spinal.core._
 import spinal.lib._
 
-/** Memory of one tile in two banks: one is drawn to (a read and a write a clock), the other resolved and
-  * cleared. Read data comes one clock after `readEnable` and holds. Reading a word in the clock it is written
-  * is undefined: those who draw keep away from it, and from the bank that is resolved.
+/** Memory of one tile in two banks: one is drawn to (a read and a write per cycle), the other resolved and cleared.
+  * Read data comes one cycle after `readEnable` and holds. Reading a word in the cycle it is written is undefined: the
+  * drawing units do not access it, nor the bank that is resolved.
   *
   * @param resolved
   *   whether the resolver reads it; otherwise it is only cleared
   * @param drawnReads
-  *   whether those who draw read it; otherwise `readData` means nothing
+  *   whether the drawing units read it; otherwise `readData` is undefined
   */
 case class TileMemory(config: RasterConfig, width: Int, resolved: Boolean, drawnReads: Boolean = true)
     extends Component {

@@ -44,7 +44,7 @@ class NearestSphere(
   private def ofSphere(at: Node)(each: Int => Bits) =
     Vec(scene.spheres.indices.map(each)).read(at(INDEX).resize(indexBits))
 
-  /** By how far it is lit; in full without shade. */
+  /** The sphere's colour at its level of light; the full colour without shade. */
   val color = shade match {
     case None    => ofSphere(last)(i => B(scene.spheres(i).color, 24 bits))
     case Some(s) =>

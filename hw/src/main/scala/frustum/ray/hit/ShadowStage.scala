@@ -6,7 +6,7 @@ import frustum.ray.walk.RayWalkers
 import spinal.core._
 import spinal.lib.misc.pipeline._
 
-/** Whether a sphere keeps the light from the wall that is hit: `SHADOW`, a node after `start`. */
+/** Whether a sphere is between the light and the wall that is hit: `SHADOW`, a node after `start`. */
 class ShadowStage(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline, walls: WallStage, start: Int)
     extends Area {
   val SHADOW = Payload(Bool())

@@ -7,8 +7,9 @@ import spinal.core._
 import spinal.lib._
 import spinal.lib.misc.pipeline._
 
-/** Which wall a pixel's ray hits and what quad lies there, from the signs of the forms at node `start`. A node later there are
-  * `WALL`, and `SURFACE`, which has the back wall where no quad lies, then the quads (both one hot), and the wall's `N`.
+/** Which wall a pixel's ray hits and which quad is there, from the signs of the forms at node `start`. A node later
+  * there are `WALL`, and `SURFACE`, which has the back wall where no quad is, then the quads (both one hot), and the
+  * wall's `N`.
   */
 class WallStage(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline, start: Int) extends Area {
   val WALL = Payload(Bits(Wall.all.size bits))
@@ -20,7 +21,7 @@ class WallStage(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline, st
   private val (test, select) = (line(start), line(start + 1))
 
   /** Of walls that meet in an edge, whether the ray meets p no later than q: k_q n_p >= k_p n_q, which is also the
-    * border of p across q's axis, and the other way round that of q across p's.
+    * border of p across q's axis, and with p and q exchanged.
     */
   private val before = Wall.pairs.map { case (p, q) =>
     val late = walkers(s"across${q.index}_${p.axis}")

@@ -2,9 +2,10 @@ package frustum.ray.program
 
 import spinal.core._
 
-/** What becomes of a digit that [[RaySetup]] has read: it is the multiplier's, whose bit at `bitAt` is taken; the first operand,
-  * which is kept, 0 with a multiplier's `top` bit; or the second, with which `sum` is the result's digit and its carry.
-  * `start` comes before a step's first digit. A multiplication adds the second operand or nothing to the first one doubled.
+/** The use of a digit that [[RaySetup]] has read: it is the multiplier's, whose bit at `bitAt` is taken; the first
+  * operand, which is kept, 0 with a multiplier's `top` bit; or the second, with which `sum` is the result's digit and
+  * its carry. `start` comes before a step's first digit. A multiplication adds the second operand or nothing to the
+  * first one doubled.
   */
 class RayDigitAdder(multiplying: Bool, subtracting: Bool, digit: Bits, bitAt: UInt, top: Bool)(
     start: Bool,
@@ -14,7 +15,7 @@ class RayDigitAdder(multiplying: Bool, subtracting: Bool, digit: Bits, bitAt: UI
 ) extends Area {
   private val bits = digit.getWidth
   val kept = Reg(UInt(bits bits))
-  val shiftedIn = Reg(Bool()) // what the digit below gives when doubled
+  val shiftedIn = Reg(Bool()) // the carry of the doubled lower digit
   val carry = Reg(Bool())
   val multiplierBit = Reg(Bool())
   val subtract = Mux(multiplying, top, subtracting)

@@ -3,7 +3,9 @@ package frustum.ray.program
 import frustum.contract.ray.RayProgram
 import spinal.core._
 
-/** The words of a row for its walkers: first `clear` for a clock, then each word, `index` telling which, while `valid`. */
+/** The words of a row for its walkers: first `clear` for a cycle, then each word, `index` being its number, while
+  * `valid`.
+  */
 case class RayRowLoad(program: RayProgram) extends Bundle {
   val clear, valid = Bool()
   val index = UInt(log2Up(program.loadWords.max(2)) bits)

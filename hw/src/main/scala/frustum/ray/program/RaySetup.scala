@@ -5,15 +5,16 @@ import spinal.core._
 import spinal.lib._
 import spinal.lib.fsm._
 
-/** Runs a [[frustum.contract.ray.RayProgram]] on one memory, whose words are read whole and written a digit at a time, and one adder of
-  * a digit. A multiplication takes its second operand's bits from the top, doubles what it has and adds the first operand or not.
+/** Runs a [[frustum.contract.ray.RayProgram]] on one memory, whose words are read in one cycle and written a digit at a
+  * time, and one adder of a digit. A multiplication takes its second operand's bits from the top, doubles what it has
+  * and adds the first operand or not.
   *
-  * `latch` takes the inputs, which must stay for `takeClocks`, and makes the frame's coefficients, `frameClocks` long. `line`
-  * gives the words of the row to come, one a clock, in `lineClocks`, then moves the state on to the next row in `rowClocks`,
-  * see [[RaySetupTiming]]. A `line` or `latch` while busy cuts off what runs.
+  * `latch` takes the inputs, which must stay for `takeClocks`, and makes the frame's coefficients, `frameClocks` long.
+  * `line` gives the words of the row to come, one per cycle, in `lineClocks`, then advances the state to the next row
+  * in `rowClocks`, see [[RaySetupTiming]]. A `line` or `latch` while busy cuts off what runs.
   *
-  * Where the timing is `fast`, instruction, digit that is read and sum are registered: the adder works a clock behind the states,
-  * the memory is written two behind, and a step waits until the one before has written.
+  * Where the timing is `fast`, instruction, digit that is read and sum are registered: the adder works a cycle behind
+  * the states, the memory is written two behind, and a step waits until the one before has written.
   */
 case class RaySetup(timing: RaySetupTiming) extends Component {
   import timing._
@@ -59,7 +60,7 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
   private val subtracting = late(op === RayStep.Subtract)
 
   val count = Reg(UInt(log2Up(loadWords.max(inputs.size).max(2)) bits))
-  val place = Reg(UInt(bitBits - digitLog bits)) // of the digit
+  val place = Reg(UInt(bitBits - digitLog bits)) // the digit's place in its word
   val bitPlace = Reg(UInt(bitBits bits))
   private val lastPlace = if (digits == 1) True else place === digits - 1
   private def digitOf(word: Bits): Bits = {
@@ -69,7 +70,7 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
   val readAddress = CombInit(a)
   val read = columns.map(_.readSync(readAddress)).reverse.reduce(_ ## _)
 
-  /** What the state's word is for, and when its digit has come. */
+  /** The use of the state's word, and when its digit has arrived. */
   val now = new Area {
     val start, bit, first, second, take = False
     val top = Reg(Bool()) // the multiplier's highest bit, which counts negative
@@ -102,7 +103,7 @@ case class RaySetup(timing: RaySetupTiming) extends Component {
     writeAddress := due.takenTo.asUInt
     writeData := due.taken
   }
-  // Registers mean nothing before their first clock under reset: the constants must outlast it.
+  // Before their first cycle under reset registers are undefined: the constants must keep their values.
   private val writes = late(due.second || due.take && Bool(inputs.nonEmpty)) && !ClockDomain.current.isResetActive
   private val (toWord, toDigit, written) = (late(writeAddress), late(due.at), late(writeData))
   for ((column, d) <- columns.zipWithIndex)

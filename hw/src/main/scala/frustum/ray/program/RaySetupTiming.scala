@@ -2,9 +2,11 @@ package frustum.ray.program
 
 import frustum.contract.ray.{RayProgram, RayStep}
 
-/** How long a set-up takes whose words have digits of `digitBits`, a power of two: the fewer digits, the faster and the larger.
+/** How long a set-up takes whose words have digits of `digitBits`, a power of two: the fewer digits, the faster and the
+  * larger.
   *
-  * @param fast whether it has registers for a higher clock, and walkers too; then words have two digits or more
+  * @param fast whether it has registers for a higher clock frequency, and walkers too; then words have two digits or
+  *   more
   */
 case class RaySetupTiming(program: RayProgram, digitBits: Int, fast: Boolean = false) {
   import program._
@@ -21,7 +23,7 @@ case class RaySetupTiming(program: RayProgram, digitBits: Int, fast: Boolean = f
   val takeClocks: Int = 1 + inputs.size.max(1) * digits
   val frameClocks: Int = takeClocks + frame.map(clocks).sum + 2 + waits
 
-  /** After `line`: until the walkers are loaded, and from then on until the state has moved on. */
+  /** After `line`: until the walkers are loaded, and from then on until the state is advanced. */
   val lineClocks: Int = loadWords + 4 + waits
   val rowClocks: Int = row.map(clocks).sum + 2 + waits
 }

@@ -6,7 +6,7 @@ import frustum.ray.program.RaySetupTiming
 
 /** A ray caster for one scene on one raster.
   *
-  * @param fast more registers, for a higher clock where they cost little
+  * @param fast more registers, for a higher clock frequency where they cost little
   */
 case class RayConfig(scene: RayScene, mode: VideoMode, fast: Boolean = false) {
   val program: RayProgram = RayProgram(scene, mode.width, mode.height)

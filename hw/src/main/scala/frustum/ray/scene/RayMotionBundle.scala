@@ -3,12 +3,12 @@ package frustum.ray.scene
 import frustum.contract.ray.{RayCameraRange, RayInput, RayMoving, RayScene}
 import spinal.core._
 
-/** Where things are, in units; coordinates that the scene holds constant are not looked at. The camera is there if it moves. */
+/** Positions, in units; constant coordinates of the scene are ignored. The camera is present if it moves. */
 case class RayMotionBundle(scene: RayScene) extends Bundle {
   val spheres = Vec.fill(scene.spheres.size)(RayPoint())
   val quads = Vec.fill(scene.quads.size)(RayPoint())
   val camera =
-    !scene.camera.fixed generate Vec.fill(RayCameraRange.Vectors.size)(RayPoint()) // in the order of these
+    !scene.camera.fixed generate Vec.fill(RayCameraRange.Vectors.size)(RayPoint()) // in the order of `Vectors`
 
   private def point(of: RayMoving): RayPoint = of match {
     case RayMoving.Sphere(n) => spheres(n)
@@ -19,7 +19,8 @@ case class RayMotionBundle(scene: RayScene) extends Bundle {
   def apply(i: RayInput): SInt = {
     require(
       i.range.width <= RayPoint.Bits,
-      s"${i.of} goes from ${i.range.low} to ${i.range.high} along axis ${i.axis}, which needs ${i.range.width} bits, at most ${RayPoint.Bits}"
+      s"${i.of} goes from ${i.range.low} to ${i.range.high} along axis ${i.axis}, which needs ${i.range.width} bits, " +
+        s"at most ${RayPoint.Bits}"
     )
     point(i.of)(i.axis).resize(i.range.width)
   }

@@ -6,11 +6,11 @@ import frustum.device.Tech
 import spinal.core._
 import spinal.lib._
 
-/** How far a sphere's pixel is lit, 0 where the light does not reach, one pixel a clock. Formulas and formats:
+/** How far a sphere's pixel is lit, 0 where the light does not reach, one pixel per cycle. Formulas and formats:
   * [[frustum.contract.ray.RayShade]].
   *
-  * What enters belongs to one pixel at different clocks, so that it need not be kept: `q` first, `towards` after
-  * `towardsAge` clocks and so on; `level` comes out after `latency`.
+  * What enters belongs to one pixel at different cycles, so that it need not be kept: `q` first, `towards` after
+  * `towardsAge` cycles and so on; `level` comes out after `latency`.
   */
 case class SphereShade(format: RayShade, tech: Tech = Tech.Generic) extends Component {
   import format._

@@ -10,7 +10,7 @@ import frustum.contract.ray.{RayPaint, RayScene, Wall}
   */
 case class Surface(wall: Wall, quad: Option[Int], paint: RayPaint, forms: Seq[String], extents: Seq[Int]) {
 
-  /** Bits of the cell's number along coordinate j (0, 1) that the paint looks at, and all bits that it may have. */
+  /** Bits of the cell's number along coordinate j (0, 1) that the paint uses, and all bits that it may have. */
   def bits(j: Int): Int = if (j == wall.column) paint.columnBits else paint.rowBits
   def quotient(j: Int): Int = BigInt(extents(j) >> paint.cellBits).bitLength
 }

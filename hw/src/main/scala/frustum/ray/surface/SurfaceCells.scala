@@ -8,9 +8,9 @@ import spinal.core._
 import spinal.lib._
 import spinal.lib.misc.pipeline._
 
-/** Number of the cell that is hit, along both coordinates of its surface: floor(coordinate / (n 2^cellBits)) by comparing and
-  * subtracting, a bit a node from `start` + 2 on. A floor's lower bits go first, so that all surfaces share the divider:
-  * floor(floor(x / 2^cellBits) / n).
+/** Number of the cell that is hit, along both coordinates of its surface: floor(coordinate / (n 2^cellBits)) by
+  * comparing and subtracting, a bit a node from `start` + 2 on. A floor's lower bits go first, so that all surfaces
+  * share the divider: floor(floor(x / 2^cellBits) / n).
   */
 class SurfaceCells(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline, walls: WallStage, start: Int)
     extends Area {

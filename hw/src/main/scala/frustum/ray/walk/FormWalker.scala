@@ -6,11 +6,11 @@ import spinal.core._
 
 /** Value of one form at the current pixel by forward differences: at `step` it moves one pixel to the right.
   *
-  * `load` fills the registers between rows, by the adders that are there already: `clear` sets them to their start value
-  * if that is a constant, to 0 otherwise, and what comes is added up to its place. So no register needs a multiplexer beside
-  * its adder, and a constant difference needs no register; it shares the adder's operand with the words.
+  * `load` fills the registers between rows, by the adders of the walk: `clear` sets them to their start value if that
+  * is a constant, to 0 otherwise, and the loaded words are added up to the value. So no register needs a multiplexer in
+  * addition to its adder, and a constant difference needs no register; it shares the adder's operand with the words.
   *
-  * @param fast whether words are taken a clock after they come
+  * @param fast whether words are taken a cycle after they come
   */
 case class FormWalker(form: RayForm, program: RayProgram, fast: Boolean = false) extends Component {
   import form.{loaded, registers, start}

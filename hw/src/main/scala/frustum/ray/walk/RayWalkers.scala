@@ -7,9 +7,10 @@ import frustum.ray.scene.RayConfig
 import spinal.core._
 import spinal.lib.misc.pipeline._
 
-/** The walkers of a program's forms, by name. What belongs to one pixel starts to walk when it is needed, not when the pixel comes:
+/** The walkers of a program's forms, by name. The forms of a pixel advance when they are needed, not when the pixel
+  * enters.
   *
-  * @param node number of the pipeline's node at which a form is looked at
+  * @param node number of the pipeline's node at which a form is read
   */
 class RayWalkers(config: RayConfig, load: RayRowLoad, line: LockstepPipeline, node: String => Int) extends Area {
   import config.program
@@ -24,7 +25,9 @@ class RayWalkers(config: RayConfig, load: RayRowLoad, line: LockstepPipeline, no
   def width(form: String): Int = values(form).getWidth
   def negative(form: String): Bool = values(form).msb
 
-  /** Something of a form as it is when looked at, for later nodes; along a row that it is constant on it needs no registers. */
+  /** A function of a form's value when it is read, for later nodes. It needs no registers if the form is constant along
+    * a row.
+    */
   def kept[T <: Data](form: String)(of: SInt => T): Node => T = {
     val v = of(values(form))
     if (program.form(form).registers == 1) _ => v

@@ -8,8 +8,8 @@ import frustum.voxel.world.VoxelTables
 import spinal.core._
 import spinal.lib._
 
-/** What [[LayerComposite]] does, a layer at a time, with one multiplier and the rays' layers in block RAM: 14 cycles a
-  * layer, 12 for one of sky. Colours come as RGB565, the upper bits of each channel. The model is the same.
+/** What [[LayerComposite]] does, a layer at a time, with one multiplier and the rays' layers in block RAM: 14 cycles
+  * per layer, 12 for one of sky. Colours come as RGB565, the upper bits of each channel. The model is the same.
   *
   * @param slots rays at one time, each with its own layers
   */
@@ -25,7 +25,7 @@ case class CompactComposite(
     val pointedAt = in(PointedAt(config))
     val up = slave(Stream(TexelHit(config, slots)))
     val down = master(Flow(OrderedPixel()))
-    val done = out Bool () // a ray
+    val done = out Bool () // a ray is done
   }
   private val sky = config.skyChannels.map(U(_, 8 bits))
 
@@ -69,12 +69,12 @@ case class CompactComposite(
 
   val fog = Reg(UInt(Fog.WeightBits bits))
   val above = channel(MultiplyVeil)(sky(_))
-  val color = Reg(UInt(8 bits)) // of a channel at MultiplyLight
+  val color = Reg(UInt(8 bits)) // a channel, valid at MultiplyLight
   when(step === FogProduct)(fog := Fog.weight(config, product.asUInt))
   for (i <- 0 to 2) when(step === VeilProduct(i))(color := Mux(hit.shown, product(15 downto 8).asUInt, sky(i)))
 
-  /** A slot has three words of channels' light and one of what is still clear, of 255. It is `fresh` when its ray has
-    * no layer yet.
+  /** A slot has three words of channels' light and one of the remaining transparency, of 255. It is `fresh` when its
+    * ray has no layer yet.
     */
   val layers = new Area {
     private def place(n: Int) = U(n, 2 bits)
@@ -134,8 +134,8 @@ case class CompactComposite(
   }
 }
 
-/** Steps of a layer. The multiplier is given fog's weight, then opacity, then the channels' veils and lights by turns:
-  * two cycles a channel, those of one between those of the next.
+/** Steps of a layer. The multiplier is given fog's weight, then opacity, then the channels' veils and lights in turn:
+  * two cycles per channel, those of one between those of the next.
   */
 object CompactComposite {
   private val Idle = 0
@@ -144,7 +144,7 @@ object CompactComposite {
   private val MultiplyOpacity = MultiplyFog + VoxelTables.Latency
   private val OpacityProduct = MultiplyOpacity + Multiplier16.Latency
 
-  private val Clear = OpacityProduct + 1 // what is left clear is written
+  private val Clear = OpacityProduct + 1 // the step that writes the remaining transparency
 
   // A channel, red first, is looked up, fades in fog, and is added to that of the layers before.
   private val LookUp: Int => Int = MultiplyOpacity + 2 * _
@@ -154,7 +154,7 @@ object CompactComposite {
   private val LightProduct: Int => Int = MultiplyLight(_) + Multiplier16.Latency
   private val Last = LightProduct(2)
 
-  /** First step of a layer of sky: what is clear comes just in time. */
+  /** First step of a layer of sky: the transparency arrives in the cycle in which it is needed. */
   private val Sky = MultiplyOpacity - 1
 
   private val multiplications =

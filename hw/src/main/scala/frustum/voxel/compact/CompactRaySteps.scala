@@ -3,11 +3,11 @@ package frustum.voxel.compact
 import frustum.arithmetic.{Multiplier16, ReciprocalLine}
 import frustum.voxel.march.CameraMemory
 
-/** Schedule of [[CompactRays]]: the steps at which something is asked for, is there, or is given to the multiplier. */
+/** Schedule of [[CompactRays]]: the steps at which a word is requested, arrives, or enters the multiplier. */
 private[voxel] object CompactRaySteps {
   val Axes = 3
 
-  // Steps of a direction, whose components are asked for, come from the camera, and are added to those of the pixel
+  // Steps of a direction, whose components are requested, arrive from the camera, and are added to those of the pixel
   // before.
   val Begin = 0
   val Component = Begin + CameraMemory.Latency + 1

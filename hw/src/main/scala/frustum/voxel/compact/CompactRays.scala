@@ -7,11 +7,11 @@ import frustum.voxel.march.{CameraMemory, PixelOrder, RayAxes, RayEntry, RaySlop
 import spinal.core._
 import spinal.lib._
 
-/** What [[PixelRays]] and [[VoxelRaySetup]] do, with one adder of directions, one multiplier and directions kept in block
-  * RAM: a ray in 11 cycles.
+/** What [[PixelRays]] and [[VoxelRaySetup]] do, with one adder of directions, one multiplier and directions kept in
+  * block RAM: 11 cycles per ray.
   *
   * After `start` the camera must hold until `busy` falls. The ray that picks goes first; the others wait until
-  * `picked`, and each of them until there is `room` for its pixel, whose number, modulo 512, goes on from frame to
+  * `picked`, and each of them until there is `room` for its pixel, whose number, modulo 512, continues from frame to
   * frame. The models are those of the two units.
   */
 case class CompactRays(config: VoxelConfig, tech: Tech = Tech.Generic) extends Component {
@@ -22,10 +22,10 @@ case class CompactRays(config: VoxelConfig, tech: Tech = Tech.Generic) extends C
     val picked = in Bool ()
     val room = in Bool ()
     val busy = out Bool ()
-    val begun = out Bool () // once a ray
+    val begun = out Bool () // pulses once per ray
     val index = out UInt (4 bits)
     val value = in SInt (VoxelCamera.DirectionWidth bits)
-    val pixel = out UInt (PixelOrder.TagBits bits) // the next one to begin
+    val pixel = out UInt (PixelOrder.TagBits bits) // the number of the next pixel to begin
     val down = master(Stream(RayStart(config)))
   }
   private val width = VoxelCamera.DirectionWidth
@@ -40,8 +40,8 @@ case class CompactRays(config: VoxelConfig, tech: Tech = Tech.Generic) extends C
     val column = Reg(UInt(log2Up(config.width) bits))
     val row = Reg(UInt(log2Up(config.height) bits))
     val pixel = RegInit(U(0, PixelOrder.TagBits bits))
-    val first = column === 0 && !picking // of its row
-    val done = step === Reciprocal // its direction is not needed any more
+    val first = column === 0 && !picking // the first pixel of its row
+    val done = step === Reciprocal // the direction is no longer needed
     io.begun := done
     io.busy := picking || waiting || scanning
     io.pixel := pixel
@@ -74,7 +74,7 @@ case class CompactRays(config: VoxelConfig, tech: Tech = Tech.Generic) extends C
   val plane = Reg(SInt(config.blockBits bits))
   val downValid = RegInit(False) clearWhen io.down.ready
 
-  /** While the eye is asked for, no direction can be. */
+  /** While the eye is read, no direction can be. */
   val unasked = late <= AskEye(0) - Axes || late === AskEye(1) + 1
   val free = !downValid || io.down.ready
   val runs = step.mux(
@@ -98,7 +98,7 @@ case class CompactRays(config: VoxelConfig, tech: Tech = Tech.Generic) extends C
   val eyeAxis = Mux(late === AskEye(0), axis(1), Mux(late === AskEye(1), axis(2), axis(0)))
   val asksEye = late === AskEye(0) || late === AskEye(1) || step === AskFastEye
   private def number(n: Int) = U(n, 4 bits)
-  val begins = Mux(scan.row === 0, number(Base), number(Down)) // a row
+  val begins = Mux(scan.row === 0, number(Base), number(Down)) // the first direction of a row
   val vector = Mux(scan.picking, number(Look), Mux(scan.first, begins, number(Right)))
   io.index := Mux(asksEye, eyeAxis.resize(4), vector + step(1 downto 0))
 
@@ -131,7 +131,7 @@ case class CompactRays(config: VoxelConfig, tech: Tech = Tech.Generic) extends C
   multiplier.io.holdA := late === MultiplySlope(0) || late === MultiplySlope(1) // the reciprocal
   val product = multiplier.io.product
 
-  /** The lowest bit of `late` tells the other axes' steps apart. */
+  /** The lowest bit of `late` distinguishes the other axes' steps. */
   private def which[T <: Data](steps: Int => Int)(first: T, second: T): T =
     if (steps(0) % 2 == 0) Mux(late(0), second, first) else Mux(late(0), first, second)
 

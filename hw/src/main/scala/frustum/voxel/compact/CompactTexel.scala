@@ -7,8 +7,8 @@ import frustum.voxel.march.{CameraMemory, FaceHit, FacePlace, QuotientDigit, Ray
 import spinal.core._
 import spinal.lib._
 
-/** What [[FaceTexel]] does, a hit at a time, with one multiplier: 9 cycles where the border of the fast axis was met,
-  * 17 elsewhere, 1 for a ray that ends without a face. The model is the same.
+/** What [[FaceTexel]] does, a hit at a time, with one multiplier: 9 cycles on a border of the fast axis, 17 elsewhere,
+  * 1 for a ray that ends without a face. The model is the same.
   */
 case class CompactTexel(config: VoxelConfig, slots: Int, tech: Tech = Tech.Generic) extends Component {
   import CompactTexel._
@@ -49,7 +49,7 @@ case class CompactTexel(config: VoxelConfig, slots: Int, tech: Tech = Tech.Gener
 
   /** The dividends, then their digits, the highest first: the divisor stays, and what is left is doubled. */
   val divide = new Area {
-    val low = config.fractionBits - FacePlace.Digits // of the dividend across, below its unit
+    val low = config.fractionBits - FacePlace.Digits // bits of the dividend `across` below its unit
     val across = Reg(UInt(shift + 1 + config.slopeBits bits))
     val along = Reg(UInt(config.slopeBits + FacePlace.Digits + 1 bits)) // in sixteenths of the divisor's unit
     val digits = Vec(Reg(Bits(FacePlace.Digits bits)), 2) // along, across
@@ -73,7 +73,7 @@ case class CompactTexel(config: VoxelConfig, slots: Int, tech: Tech = Tech.Gener
 
   /** Squares of the ways from the eye's texel along the axes, one after the other, from `AskEye` on. */
   val distance = new Area {
-    private def ith(from: Int) = (step - from)(1 downto 0) // in the ray's order
+    private def ith(from: Int) = (step - from)(1 downto 0) // operands in the ray's order
     val i = ith(AskEye + CameraMemory.Latency)
     val away = Reg(SInt(config.blockBits + 5 bits))
     val far = Reg(UInt(TexelHit.FarBits bits))
@@ -113,7 +113,7 @@ case class CompactTexel(config: VoxelConfig, slots: Int, tech: Tech = Tech.Gener
 }
 
 object CompactTexel {
-  // Steps: at which operands are given to the multiplier, a product is taken, or something is asked for.
+  // Steps: at which operands are given to the multiplier, a product is taken, or something is requested.
   private val Idle = 0
   private val MultiplySide = 1
   private val MultiplyRun = MultiplySide + 1
@@ -121,7 +121,7 @@ object CompactTexel {
   private val RunProduct = MultiplyRun + Multiplier16.Latency
   private val Divide = RunProduct + 1
   private val LastDigit = Divide + FacePlace.Digits - 1
-  private val AskEye = LastDigit + 1 // of three axes in turn, as all that follows
+  private val AskEye = LastDigit + 1 // three axes in turn, as all that follows
 
   /** The eye comes, then the way from it, then its square. */
   private val Square = AskEye + CameraMemory.Latency + 1 + Multiplier16.Latency

@@ -10,9 +10,9 @@ case class CameraWrite() extends Bundle {
   val value = SInt(VoxelCamera.DirectionWidth bits)
 }
 
-/** Cameras in block RAM: the one that is drawn with, the newest that is whole, and one that is being written. `commit`
+/** Cameras in block RAM: the one that is drawn with, the newest complete one, and one that is being written. `commit`
   * makes the written one the newest, `take` draws with the newest. Numbers come [[CameraMemory.Latency]] cycles after
-  * they are asked for; the eye can be asked for a second time.
+  * their request; the eye can be requested a second time.
   *
   * @param initial the camera until another is committed after a reset; it has a bank of its own, which nothing writes
   */
@@ -26,8 +26,8 @@ case class CameraMemory(config: VoxelConfig, initial: VoxelCamera) extends Compo
     val axis = in UInt (2 bits)
     val eye = out SInt (config.blockBits + config.eyeBits bits)
   }
-  val shown, newest = RegInit(U(0, 2 bits)) // banks; 0 is that of the start
-  val written = RegInit(U(1, 2 bits)) // of 1 to 3, neither of these two
+  val shown, newest = RegInit(U(0, 2 bits)) // banks; 0 is that of the initial camera
+  val written = RegInit(U(1, 2 bits)) // the bank of 1 to 3 that is neither of these two
   val next = Mux(io.take, newest, shown)
   shown := next
   when(io.commit) {
@@ -35,7 +35,7 @@ case class CameraMemory(config: VoxelConfig, initial: VoxelCamera) extends Compo
     written := written ^ Mux(next === 0, U(3), next) // the third of 1, 2, 3; until the first is taken 1 and 2 in turn
   }
 
-  /** What registers hold at power up must not reach the bank of the start either. */
+  /** The undefined registers after power up must not select the bank of the initial camera. */
   private val enable = io.write.valid && written =/= 0
   private def memory(width: Int) = {
     val numbers = initial.numbers.padTo(16, 0)

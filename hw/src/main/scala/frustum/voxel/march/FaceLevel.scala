@@ -3,8 +3,8 @@ package frustum.voxel.march
 import frustum.contract.voxel.{FaceLight, VoxelConfig}
 import spinal.core._
 
-/** Tables of [[frustum.contract.voxel.FaceLight]], whose index begins with a face's level: which of the different lights it is
-  * in.
+/** Tables of [[frustum.contract.voxel.FaceLight]], whose index begins with a face's level: which of the different
+  * lights it is in.
   */
 object FaceLevel {
   val Bits = 2

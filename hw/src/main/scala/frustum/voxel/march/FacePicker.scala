@@ -5,7 +5,7 @@ import frustum.voxel.world.BlockFlags
 import spinal.core._
 import spinal.lib._
 
-/** Keeps the first face of a selectable block within reach that the ray which picks meets, from `start` on, and tells
+/** Keeps the first face of a selectable block within reach that the ray which picks meets, from `start` on, and reports
   * when that ray has ended.
   *
   * @param reach blocks

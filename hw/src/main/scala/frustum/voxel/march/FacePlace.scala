@@ -5,9 +5,9 @@ import spinal.core._
 
 /** Which texel of a block a ray meets. Pairs and triples are in the ray's order, the fast axis first, mirrored.
   *
-  * On a border of the fast axis the position tells the texel. On another axis' border the ray is where it was at the
-  * last border of the fast axis, plus run / slope along the fast axis and run * otherSlope / slope along the third, run
-  * being the way to the border: four digits of two divisions, exact. Divided are
+  * On a border of the fast axis the texel follows from the position. On another axis' border the ray is where it was at
+  * the last border of the fast axis, plus run / slope along the fast axis and run * otherSlope / slope along the third,
+  * run being the distance to the border: four digits of two divisions, exact. Divided are
   * {{{run / (slope 2^eyeBits)     and     (side slope + run otherSlope) / (slope 2^fractionBits)}}} with side the
   * position along the third axis.
   */

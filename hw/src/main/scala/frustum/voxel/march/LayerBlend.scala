@@ -2,10 +2,10 @@ package frustum.voxel.march
 
 import spinal.core._
 
-/** Arithmetic of layers that are gathered front to back, with 255 for all of a pixel. */
+/** Arithmetic of layers that are gathered front to back, with weights that sum to 255. */
 object LayerBlend {
 
-  /** What a layer hides of those behind it, of 16: a texel's alpha of 15 hides all, and so does the sky. */
+  /** The part that a layer hides of those behind it, of 16: a texel's alpha of 15 hides all, and so does the sky. */
   def opacity(shown: Bool, rgba: Bits): UInt = {
     val alpha = rgba(3 downto 0).asUInt
     Mux(shown, alpha.resize(5) + alpha.msb.asUInt, U(16))

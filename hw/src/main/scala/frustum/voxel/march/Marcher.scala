@@ -9,15 +9,15 @@ import spinal.lib._
 import spinal.lib.misc.pipeline._
 
 /** Marches [[MarcherStages.slots]] rays in turn, a step of one of them each cycle: a pipeline that feeds its own
-  * entrance, where a new ray enters whenever one has ended. It never waits, and neither may what takes its hits.
+  * entrance, where a new ray enters whenever one has ended. It never stalls, and its hits must be taken at once.
   *
-  * A step looks at the block the ray is in. From air it goes on to the far side of the largest cube of air that the
-  * memory tells of, as far as borders of the fast axis go; from other blocks to the next one, whose border is found by
-  * whether positions cross a whole number before the next border of the fast axis, and if both do, by comparing the
-  * products of the ways and the slopes, which is exact. The model is `frustum.model.voxel.march.Marcher`.
+  * A step reads the block of the ray. From air it goes to the far side of the largest cube of air in the memory's word,
+  * as far as borders of the fast axis go; from other blocks to the next one, whose border is found by whether positions
+  * cross an integer before the next border of the fast axis, and if both do, by comparing the products of the distances
+  * and the slopes, which is exact. The model is `frustum.model.voxel.march.Marcher`.
   *
-  * With `stages.retries` a ray makes its step again, a turn later, when its word was not `granted` or its hit not
-  * `accepted`, both told in the cycle in which they are asked for.
+  * With `stages.retries` a ray repeats its step one revolution later if its word was not `granted` or its hit not
+  * `accepted`; both are valid in the cycle of the request.
   */
 case class Marcher(
     config: VoxelConfig,
@@ -41,7 +41,7 @@ case class Marcher(
   val RAY = Payload(VoxelRay(config))
   val PLACE = Payload(VoxelPlace(config))
   val END = Payload(SInt(config.endBits bits))
-  val ENTRY = Payload(UInt(2 bits)) // 3: the ray starts in this block
+  val ENTRY = Payload(UInt(2 bits)) // axis of the border, or 3: the ray starts in this block
   val PREVIOUS = Payload(UInt(BlockTable.IdBits bits))
   val SLOT = Payload(UInt(log2Up(stages.slots) bits))
   val BLOCK = Payload(Vec(SInt(whole bits), 3)) // fast axis first
@@ -49,23 +49,23 @@ case class Marcher(
   val ID = Payload(UInt(BlockTable.IdBits bits))
   val REACH = Payload(UInt(LeapWord.SideBits bits))
   val RUN = Payload(Vec(UInt(config.slopeBits + LeapWord.SideBits bits), 2)) // slopes times reach
-  val TO = Payload(Vec(UInt(shift + 1 bits), 2)) // ways to the next borders of the other axes
+  val TO = Payload(Vec(UInt(shift + 1 bits), 2)) // distances to the next borders of the other axes
   val FAR = Payload(Vec(SInt(whole + shift bits), 2))
   val CROSS = Payload(Vec(UInt(shift + 1 + config.slopeBits bits), 2))
   val FITS, FIRST = Payload(Bool())
   val BACK = Payload(Vec(SInt(whole + shift bits), 2))
   val DENIED = Payload(Bool()) // the memory did not grant the word
-  val AGAIN = Payload(Bool()) // the step is to be made again
+  val AGAIN = Payload(Bool()) // the step is repeated
 
   val line = new LockstepPipeline(stages.slots)
   val tail = line.nodes.last
 
-  /** A ray that goes round, or a new one. */
+  /** A ray of the ring, or a new one. */
   val entrance = new Area {
     val again = tail.isValid && (!tail(LAST) || tail(AGAIN))
     val slot = RegInit(U(0, log2Up(stages.slots) bits))
     slot := Mux(slot === stages.slots - 1, U(0), slot + 1)
-    val next = VoxelPlace(config) // after the step that ends at the tail
+    val next = VoxelPlace(config) // the place after the step that ends at the tail
     val leap = !tail(AGAIN) && (tail(FITS) || tail(REACH) =/= 1)
     next.plane := tail(PLACE).plane + Mux(leap, tail(REACH) - (!tail(FITS)).asUInt, U(0)).resize(whole).asSInt
     for (i <- 0 to 1) {

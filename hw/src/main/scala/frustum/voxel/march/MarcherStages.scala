@@ -2,15 +2,15 @@ package frustum.voxel.march
 
 import frustum.voxel.world.WorldReadBus
 
-/** How a step is spread over cycles: which node of the ring does what; node 0 is the entrance.
+/** The nodes of the ring at which the parts of a step are computed; node 0 is the entrance.
   *
   * @param where   the block
   * @param look    for its word
   * @param steps   what the word means
   * @param far     where a leap ends
   * @param choose  where the ray is next
-  * @param slots   rays at work, stages of the ring
-  * @param retries whether memory and hits may have to wait
+  * @param slots   rays in the ring, which has as many stages
+  * @param retries whether memory and hits can be refused for a cycle
   * @param narrow  multipliers of 16 x 16 bits
   */
 final case class MarcherStages(
@@ -40,7 +40,7 @@ object MarcherStages {
     MarcherStages(where, look, steps, far, choose, slots = choose + 1, retries = false, narrow = false)
   }
 
-  /** Few registers: what goes with some 25 MHz on an iCE40UP5K. */
+  /** Few registers: for about 25 MHz on an iCE40UP5K. */
   val Compact: MarcherStages = {
     val where = 1
     val look = where

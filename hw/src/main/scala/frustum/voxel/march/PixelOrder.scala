@@ -3,20 +3,20 @@ package frustum.voxel.march
 import spinal.core._
 import spinal.lib._
 
-/** A pixel as it is done, RGB565, with its number modulo 512. */
+/** A finished pixel, RGB565, with its number modulo 512. */
 case class OrderedPixel() extends Bundle {
   val color = Bits(16 bits)
   val tag = UInt(PixelOrder.TagBits bits)
 }
 
-/** Brings pixels into the order of their numbers: 256 of them in block RAM, each with a bit that tells whether it was
-  * written in this round or in the one before.
+/** Brings pixels into the order of their numbers: 256 of them in block RAM, each with the parity of the round in which
+  * it was written.
   */
 case class PixelOrder() extends Component {
   import PixelOrder._
   val io = new Bundle {
     val next = in UInt (TagBits bits) // number of the next pixel that will be begun
-    val room = out Bool () // for it
+    val room = out Bool () // there is a place for pixel `next`
     val up = slave(Flow(OrderedPixel()))
     val down = master(Stream(Bits(16 bits)))
   }

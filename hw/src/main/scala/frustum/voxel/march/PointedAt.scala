@@ -3,7 +3,7 @@ package frustum.voxel.march
 import frustum.contract.voxel.VoxelConfig
 import spinal.core._
 
-/** The face that is pointed at. */
+/** The selected face. */
 case class PointedAt(config: VoxelConfig) extends Bundle {
   val valid = Bool()
   val block = Vec(UInt(config.size.logs.max bits), 3)

@@ -4,7 +4,7 @@ import frustum.contract.voxel.VoxelConfig
 import spinal.core._
 
 /** Axes as a ray has them, its fast one first and the two others after it, against x, y, z; and coordinates in the
-  * space that is mirrored for a ray so that it goes up along all axes: there axis k has size - coordinate.
+  * space that is mirrored for a ray so that all its components are positive: there axis k has size - coordinate.
   */
 object RayAxes {
 

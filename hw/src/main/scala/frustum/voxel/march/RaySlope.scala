@@ -5,7 +5,8 @@ import spinal.core._
 
 /** Slope of one of a ray's other axes against its fast one, from magnitudes of the direction's components:
   * {{{|other| / |fast| = v (1 - r / 2)}}} with 1 + f the mantissa of |fast|, v the other one to its scale, and
-  * r = 2 f / (1 + f) of [[frustum.contract.arithmetic.ReciprocalTable]]; cut to `slopeBits` and below 1. Error below 2.5 2^-15.
+  * r = 2 f / (1 + f) of [[frustum.contract.arithmetic.ReciprocalTable]]; cut to `slopeBits` and below 1. Error below
+  * 2.5 2^-15.
   */
 object RaySlope {
 

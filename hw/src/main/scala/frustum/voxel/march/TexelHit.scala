@@ -3,7 +3,7 @@ package frustum.voxel.march
 import frustum.contract.voxel.{BlockTable, VoxelConfig}
 import spinal.core._
 
-/** Where on its face a ray has met a block.
+/** The place on a block's face that a ray has hit.
   *
   * @param slots rays that march at one time
   */
@@ -11,7 +11,7 @@ case class TexelHit(config: VoxelConfig, slots: Int) extends Bundle {
   val pixel = UInt(config.pixelBits bits)
   val pick = Bool()
   val slot = UInt(log2Up(slots) bits)
-  val shown = Bool() // a face, and in view
+  val shown = Bool() // a face that is in view
   val last = Bool()
   val id = UInt(BlockTable.IdBits bits)
   val face = UInt(3 bits) // in order of travel: +x -x +y -y +z -z
@@ -19,7 +19,7 @@ case class TexelHit(config: VoxelConfig, slots: Int) extends Bundle {
   val u, v = UInt(4 bits)
   val far = UInt(TexelHit.FarBits bits) // squared texels from the eye's texel
 
-  /** Assigns all but what the texel itself decides.
+  /** Assigns all fields but those of the texel.
     *
     * @param distance the value of `far`
     */

@@ -3,7 +3,9 @@ package frustum.voxel.march
 import frustum.contract.voxel.{VoxelCamera, VoxelConfig}
 import spinal.core._
 
-/** A direction for each component: two's complement, [[frustum.contract.voxel.VoxelCamera.DirectionBits]] fraction bits. */
+/** A direction for each component: two's complement, [[frustum.contract.voxel.VoxelCamera.DirectionBits]] fraction
+  * bits.
+  */
 case class Direction() extends Bundle {
   val axes = Vec(SInt(VoxelCamera.DirectionWidth bits), 3)
 }
@@ -14,19 +16,18 @@ case class CameraPort(config: VoxelConfig) extends Bundle {
   val look, base, right, down = Direction()
 }
 
-/** The direction of a pixel. `pick` marks the ray that finds the block pointed at; it has no pixel. */
+/** The direction of a pixel. `pick` marks the ray that selects a block; it has no pixel. */
 case class PixelRay(config: VoxelConfig) extends Bundle {
   val pixel = UInt(config.pixelBits bits)
   val pick = Bool()
   val direction = Direction()
 }
 
-/** What a ray keeps on its way.
+/** The constants of a ray.
   *
-  * Space is mirrored so that the ray goes up along all axes. `fast` is the axis along which it does so fastest; index i
-  * of the vectors is axis fast + 1 + i modulo 3. From a border of blocks across `fast` to the next, positions move on
-  * by `slopes`. A position is one unit low where `low` says so, which puts crossings at one time into the order x, y,
-  * z.
+  * Space is mirrored so that all components of the ray are positive. `fast` is the axis of the greatest one; index i of
+  * the vectors is axis fast + 1 + i modulo 3. From a border of blocks across `fast` to the next, positions move on by
+  * `slopes`. A position is one unit low where `low` says so, which puts crossings at one time into the order x, y, z.
   */
 case class VoxelRay(config: VoxelConfig) extends Bundle {
   val pixel = UInt(config.pixelBits bits)
@@ -46,14 +47,14 @@ case class VoxelPlace(config: VoxelConfig) extends Bundle {
   val past = Bits(2 bits)
 }
 
-/** A ray ready to march: up to border `end`, where all it could meet is out of view. */
+/** A ray ready to march: up to border `end`, beyond which everything is out of view. */
 case class RayStart(config: VoxelConfig) extends Bundle {
   val ray = VoxelRay(config)
   val place = VoxelPlace(config)
   val end = SInt(config.endBits bits)
 }
 
-/** Something a ray meets: a face, unless it has left the world or the view. Nothing of a ray follows its `last` one.
+/** A hit of a ray: a face, unless it has left the world or the view. Nothing of a ray follows its `last` one.
   *
   * @param slots rays that march at one time
   */

@@ -7,8 +7,8 @@ import spinal.core._
 import spinal.lib._
 import spinal.lib.misc.pipeline._
 
-/** Texels of faces by [[FacePlace]], one a cycle, latency [[FaceTexel.Latency]] cycles, 5 multiplications. The model is
-  * `frustum.model.voxel.wide.FaceTexel`.
+/** Texels of faces by [[FacePlace]], one per cycle, latency [[FaceTexel.Latency]] cycles, 5 multiplications. The model
+  * is `frustum.model.voxel.wide.FaceTexel`.
   */
 case class FaceTexel(config: VoxelConfig, slots: Int) extends Component {
   import FaceTexel._

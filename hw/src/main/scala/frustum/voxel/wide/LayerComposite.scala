@@ -8,8 +8,8 @@ import spinal.core._
 import spinal.lib._
 import spinal.lib.misc.pipeline._
 
-/** Colours of faces, gathered front to back for each ray until nothing behind shows: a layer a cycle, latency
-  * [[LayerComposite.Latency]] cycles. What a ray does not hide is sky. The model is
+/** Colours of faces, gathered front to back for each ray until nothing behind is visible: one layer per cycle, latency
+  * [[LayerComposite.Latency]] cycles. The remaining transparency of a ray shows sky. The model is
   * `frustum.model.voxel.wide.LayerComposite`.
   *
   * @param slots rays at one time, each with its own layers
@@ -29,7 +29,7 @@ case class LayerComposite(config: VoxelConfig, kinds: BlockTable, textures: Voxe
   val CHOSEN = Payload(Bool())
   val BEYOND = Payload(UInt(TexelHit.FarBits bits))
   val FOG = Payload(UInt(Fog.WeightBits bits))
-  val OPACITY = Payload(UInt(5 bits)) // of 16
+  val OPACITY = Payload(UInt(5 bits)) // in 1/16
   val LIT = Payload(Vec(UInt(8 bits), 3))
   val SHOWN = Payload(Vec(UInt(8 bits), 3))
   val VEIL = Payload(Vec(SInt(18 bits), 3)) // what fog adds, times 256
@@ -84,7 +84,7 @@ case class LayerComposite(config: VoxelConfig, kinds: BlockTable, textures: Voxe
     }
   }
 
-  /** How much of each ray is still to be filled, of 255. A ray's last layer leaves its slot ready for another ray. */
+  /** The remaining transparency of each ray, of 255. A ray's last layer leaves its slot ready for another ray. */
   val clear = new Area {
     val node = line(WeightNode)
     val slot = node(HIT).slot

@@ -6,8 +6,8 @@ import spinal.core._
 import spinal.lib._
 import spinal.lib.fsm._
 
-/** Directions of a frame's rays: first that of the screen's middle, by which the block pointed at is found, and when
-  * `picked` says that it is, those of the pixels, row by row from the top. One a cycle; nothing is multiplied.
+/** Directions of a frame's rays: first that of the screen's middle, which selects a block, and when that is done
+  * (`picked`), those of the pixels, row by row from the top. One per cycle, without multipliers.
   *
   * `start` is taken while not `busy`; the camera must hold until `busy` falls.
   */

@@ -8,7 +8,7 @@ import spinal.core._
 import spinal.lib._
 import spinal.lib.misc.pipeline._
 
-/** Start of a ray from its direction, one a cycle, latency [[VoxelRaySetup.Latency]] cycles, 5 multipliers.
+/** Start of a ray from its direction, one per cycle, latency [[VoxelRaySetup.Latency]] cycles, 5 multipliers.
   *
   *   1. `fast` is the axis of the greatest component, the first of equal ones
   *   1. slopes of the two others, [[RaySlope]]

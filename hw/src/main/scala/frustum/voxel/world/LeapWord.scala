@@ -3,7 +3,7 @@ package frustum.voxel.world
 import frustum.contract.voxel.{BlockTable, LeapField}
 import spinal.core._
 
-/** What a word of the world's memory says, by the layout of [[frustum.contract.voxel.LeapField]]. */
+/** The meaning of a word of the world's memory, by the layout of [[frustum.contract.voxel.LeapField]]. */
 object LeapWord {
 
   /** Bits of a cube's side. */
@@ -16,7 +16,7 @@ object LeapWord {
 
   /** Side of the largest cube of air in a group's directions, from a word of air.
     *
-    * @param group is not looked at where the field has one alone
+    * @param group is ignored where the field has only one
     */
   def side(field: LeapField, word: Bits, group: => UInt): UInt =
     if (field.bits == 0) U(1, SideBits bits)

@@ -3,7 +3,7 @@ package frustum.voxel.world
 import frustum.contract.voxel.{BlockTable, VoxelTextures}
 import spinal.core._
 
-/** A texel's RGBA4444, one a cycle, latency [[VoxelTables.Latency]] cycles: texture by id and face, colour index by
+/** A texel's RGBA4444, one per cycle, latency [[VoxelTables.Latency]] cycles: texture by id and face, colour index by
   * texel, colour by texture and index.
   */
 case class VoxelTables(kinds: BlockTable, textures: VoxelTextures) extends Component {

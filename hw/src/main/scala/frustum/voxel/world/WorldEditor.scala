@@ -9,10 +9,10 @@ import spinal.lib.fsm._
   * what [[frustum.contract.voxel.LeapField]] says. Nothing else may read or write the memory meanwhile.
   *
   * A distance can only change in blocks that have the edited one in the directions of its group, less than `most` away.
-  * Where a block comes, they are at most the way to it: one look at each. Where one goes, those that are just the way
-  * to it fall to 1, and grow again in rounds: from n to n + 1 where all neighbours in the group's directions have n at
-  * least. Six cycles for a block in a round, seven if it grows, five for a neighbour. An edit takes at most 63,130
-  * cycles as seen with distances of two bits in a world of 64 x 64 x 32, see docs/voxel.md.
+  * Where a block is placed, they are at most the distance to it: each is compared once. Where one is removed, those
+  * equal to the distance to it are set to 1, and grow again in rounds: from n to n + 1 where all neighbours in the
+  * group's directions have n at least. Six cycles for a block in a round, seven if it grows, five for a neighbour. An
+  * edit takes at most 63,130 cycles measured with distances of two bits in a world of 64 x 64 x 32, see docs/voxel.md.
   */
 case class WorldEditor(config: VoxelConfig) extends Component {
   import WorldEditor._
@@ -39,8 +39,8 @@ case class WorldEditor(config: VoxelConfig) extends Component {
   val fsm = new StateMachine {
     val idle = makeInstantEntry()
     val old, done = new State
-    val item, block, memory, judge, next = new State // of a block that the edit may concern
-    val neighbour, nextTo, reach = new State // of each of its neighbours
+    val item, block, memory, judge, next = new State // states of a block that the edit may concern
+    val neighbour, nextTo, reach = new State // states of each of its neighbours
     val store = new State
     idle.whenIsActive {
       when(io.edit.valid) {
@@ -68,9 +68,9 @@ case class WorldEditor(config: VoxelConfig) extends Component {
   val sweep = bits > 0 generate new Area {
     import fsm._
     private def twoSided(axis: Int) = !axes.contains(axis)
-    private def backward(axis: Int) = group(axes.indexOf(axis)) // the group looks along -axis
+    private def backward(axis: Int) = group(axes.indexOf(axis)) // the group extends along -axis
 
-    /** The block looked at: how far the edited one is from it, along each axis and as a cube's side. */
+    /** The current block: the distance of the edited one from it, along each axis and as a cube's side. */
     val blocks = new Odometer((0 to 2).map(k => if (twoSided(k)) 2 * most - 2 else most - 1))
     val place = Reg(Vec(SInt(placeBits bits), 3))
     val norm = Reg(UInt(LeapWord.SideBits bits))
@@ -92,7 +92,7 @@ case class WorldEditor(config: VoxelConfig) extends Component {
 
     val distance = LeapWord.side(config.leaps, word, group)
     val kept = RegNextWhen(word, isActive(judge))
-    val length = Reg(UInt(bits bits)) // less one
+    val length = Reg(UInt(bits bits)) // distance less one
     val changed = CombInit(kept)
     for (g <- 0 until groups) when(group === g)(changed(g * bits, bits bits) := length.asBits)
 

@@ -10,7 +10,9 @@ case class WorldWrite(config: VoxelConfig) extends Bundle {
   val word = Bits(config.leaps.wordBits bits)
 }
 
-/** The world's memory: a read a cycle, the word [[WorldReadBus.Latency]] cycles later, and a write beside it. */
+/** The world's memory: one read per cycle, the word [[WorldReadBus.Latency]] cycles later, and one write at the same
+  * time.
+  */
 case class WorldMemory(config: VoxelConfig) extends Component {
   val io = new Bundle {
     val read = slave(WorldReadBus(config))

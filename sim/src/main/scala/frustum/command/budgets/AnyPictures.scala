@@ -9,7 +9,9 @@ import frustum.driver.scene.Camera
 import frustum.engine.raster.{EngineOptions, RasterEngines}
 import frustum.scene.Scenes
 
-/** Pictures that ask for other things than the scenes by default: what the driver does for them is judged from the world. */
+/** Pictures that ask for other things than the scenes by default: what the driver does for them is judged from the
+  * world.
+  */
 object AnyPictures {
   private val plain = DrawOptions(None, cullBack = false, Wrap.Repeat, 0)
   private val lit = plain.copy(light = Some(Vector3(3, 2, 1)), cullBack = true)

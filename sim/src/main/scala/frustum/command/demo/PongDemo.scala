@@ -19,7 +19,8 @@ object PongDemo {
     val recording = PongRecording(config, AutoPlayer(_), seed, Frames, out.resolve("pong.gif")) {
       (index, game, picture) =>
         if (index == Frames - 1) {
-          // The reference too in the format of the pins and under the score: what differs then is what was drawn wrongly.
+          // The reference too in the format of the pins and under the score: what differs then is what was drawn
+          // wrongly.
           val exact = PongJudge.reference(config, config.motion(game.motion))
           val reference = Picture.ofFormat(new PongModel(config).atPins(exact(_), game), config.format)
           DemoPictures.write(out, "pong", width, height, picture, reference)

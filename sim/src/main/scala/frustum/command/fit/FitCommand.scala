@@ -34,7 +34,8 @@ object FitCommand extends CommandLine {
     val base = RenderCommand.configOf(o.size._1, o.size._2)
     if (o.synthesis) Panel.Ili9341.fault(base.width, base.height).foreach(fault =>
       throw InputError(
-        s"--size ${base.width}x${base.height}: $fault, which icebreaker-raster has; take a smaller size or --no-synthesis"
+        s"--size ${base.width}x${base.height}: $fault, which icebreaker-raster has; take a smaller size or " +
+          "--no-synthesis"
       )
     )
     val volume = o.volume.fold(CameraVolume.default)(CameraVolume.read)
@@ -53,7 +54,8 @@ object FitCommand extends CommandLine {
     val search = new Fit(scene, features, budget, volume, o.seed, say)
     val result = search.run()
     say(
-      f"${result.heldOutOver} of ${result.heldOut.length} views that took no part are over: at most ${100 * result.overAtMost}%.1f %% of all views, with 95 %% confidence"
+      f"${result.heldOutOver} of ${result.heldOut.length} views that took no part are over: at most " +
+        f"${100 * result.overAtMost}%.1f %% of all views, with 95 %% confidence"
     )
     val frames = result.worst.take(HardwareViews).map { case (view, _) =>
       search.prepare(view, result.features.config.formats)
@@ -110,7 +112,8 @@ object FitCommand extends CommandLine {
     val (view, errors) = result.worst.head
     if (different > 0) Console.err.println(s"error: $stem: $different pixels differ from the model's")
     if (!result.met) Console.err.println(
-      s"error: $stem: not met: ${result.heldOutOver} of ${result.heldOut.length} views are over; the worst, $view, has " +
+      s"error: $stem: not met: ${result.heldOutOver} of ${result.heldOut.length} views are over; the worst, $view, " +
+        "has " +
         s"${errors.texelsWrong} % of its texels and ${errors.primitivesWrong} % of its pixels wrong" +
         errors.flip.fold("")(f => s", FLIP $f") +
         (if (result.features.config.formats == PlaneFormats()) ", with all the bits there are" else "")

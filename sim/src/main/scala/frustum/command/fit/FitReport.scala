@@ -18,14 +18,14 @@ object FitReport {
 
   /** The answer as code. */
   def scala(f: FitFeatures): String = {
-    val c = f.config
+    val (c, r) = (f.config, f.config.ranges)
     s"""RasterConfig(
        |  width = ${c.width}, height = ${c.height},
        |  maxVertices = ${c.maxVertices}, maxTriangles = ${c.maxTriangles}, textureTexels = ${c.textureTexels},
        |  fixed = ${c.fixed.code}, // ${c.fixed.constant.mkString(", ")}
        |  formats = PlaneFormats(coordinate = ${c.formats.coordinate}, depth = ${c.formats.depth},
        |    color = ${c.formats.color}, inverse = ${c.formats.inverse}),
-       |  ranges = VertexRanges(position = ${c.ranges.position}, repeats = ${c.ranges.repeats}, ratio = ${c.ranges.ratio}),
+       |  ranges = VertexRanges(position = ${r.position}, repeats = ${r.repeats}, ratio = ${r.ratio}),
        |  clearColor = ${c.clearColor.fold("None")(v => f"Some(0x$v%04x)")}
        |) // with DrawOptions(cullBack = ${f.options.cullBack}, depthTest = ${f.options.depthTest})""".stripMargin
   }

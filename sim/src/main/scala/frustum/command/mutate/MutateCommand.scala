@@ -113,10 +113,11 @@ object MutateCommand extends CommandLine {
       f"<tr><td>$unit</td><td>${r.count}</td><td>${r.killed.length}</td><td>${r.equivalent.length}</td>" +
         f"<td>${r.survivors.length}</td><td>${r.killPercent}%.1f</td></tr>"
     }
+    val heads = Seq("unit", "mutants", "killed", "equivalent", "survive", "% killed").map(h => s"<th>$h</th>").mkString
     val alive = for ((unit, r) <- results; m <- r.survivors) yield s"<li>$unit $m</li>"
     Page(
       "Frustum: mutants",
-      s"""<table><tr><th>unit</th><th>mutants</th><th>killed</th><th>equivalent</th><th>survive</th><th>% killed</th></tr>
+      s"""<table><tr>$heads</tr>
          |${rows.mkString("\n")}</table>
          |<p>Per cent of those that are not shown to be equivalent to the unit.</p>
          |<ul>${alive.mkString("\n")}</ul>""".stripMargin

@@ -13,8 +13,8 @@ import frustum.model.voxel.VoxelModel
 import frustum.play.{LiveScreen, VoxelKeys}
 import java.util.Locale
 
-/** `play voxel`: walk, look, place and destroy in a world of blocks. Player and camera are the model's, which the hardware's equal bit
-  * for bit; the picture is the simulated pipeline's, or the model's.
+/** `play voxel`: walk, look, place and destroy in a world of blocks. Player and camera are the model's, which the
+  * hardware's equal bit for bit; the picture is the simulated pipeline's, or the model's.
   */
 object PlayVoxel {
 

@@ -44,7 +44,8 @@ object PongCommand extends CommandLine {
     val need = config.scene.imageBits / 1024
     if (need > part.blockRamKbit)
       throw InputError(
-        s"$scene: its images need $need kbit, the ${part.name} of ${o.board.top} has ${part.blockRamKbit} in its block RAM; take smaller ones"
+        s"$scene: its images need $need kbit, the ${part.name} of ${o.board.top} has ${part.blockRamKbit} in its " +
+          "block RAM; take smaller ones"
       )
     try {
       RayConfig(config.scene, config.mode) // its numbers are checked before any hardware is made

@@ -7,13 +7,15 @@ import java.nio.file.{Path, Paths}
 /** What the referee's figures may be at worst, by the table in the tree: for a scene of `demo` in counts, for any other
   * picture as the share of pixels that no quantisation accounts for.
   *
-  * Bounds are for float64's figures, which are the same on every machine. Those of llvmpipe are of the pixels at which it
-  * agrees with float64, so they are no greater; how many those are is bounded by [[MostDiffer]].
+  * Bounds are for float64's figures, which are the same on every machine. Those of llvmpipe are of the pixels at which
+  * it agrees with float64, so they are no greater; how many those are is bounded by [[MostDiffer]].
   */
 object EndToEndBounds {
   val Table: Path = Paths.get("sim", "budgets.json")
 
-  /** Share of the judged pixels at which llvmpipe, whose numbers have 24 bits, may differ from float64, per cent; measured: 0. */
+  /** Share of the judged pixels at which llvmpipe, whose numbers have 24 bits, may differ from float64, per cent;
+    * measured: 0.
+    */
   val MostDiffer = 0.5
 
   /** The figures of a scene as it is by default. */
@@ -40,7 +42,8 @@ object EndToEndBounds {
     ) ++
       check.unbounded.map(m => s"end to end: ${m.metric} has no bound in $table") ++
       Option.when(e.counts.referee != EndToEnd.World && differ > MostDiffer)(
-        f"end to end: llvmpipe and float64 differ in $differ%.2f %% of the judged pixels, at most $MostDiffer %% are expected"
+        f"end to end: llvmpipe and float64 differ in $differ%.2f %% of the judged pixels, at most $MostDiffer %% are " +
+          "expected"
       )
   }
 }

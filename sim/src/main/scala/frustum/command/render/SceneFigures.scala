@@ -19,8 +19,8 @@ object Distance {
     Distance(Psnr.squaredError(picture, from), new Flip(frame.config.width, frame.config.height).mean(from, picture))
 }
 
-/** The referee's figures of a frame: `counts` and `distance` of the one that the report names, and those of float64, which
-  * are bounded.
+/** The referee's figures of a frame: `counts` and `distance` of the one that the report names, and those of float64,
+  * which are bounded.
   */
 final case class EndToEndFigures(counts: EndToEnd, distance: Distance, world: EndToEnd, worldDistance: Distance)
 

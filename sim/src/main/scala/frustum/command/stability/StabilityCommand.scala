@@ -89,7 +89,8 @@ object StabilityCommand extends CommandLine {
       out.resolve("index.html"),
       Page(
         "Frustum: where methods fail",
-        s"""<figure><img alt="map" src="$picture"><figcaption>${StabilityMap.HowToRead} Data: stability.csv.</figcaption></figure>
+        s"""<figure><img alt="map" src="$picture">
+           |<figcaption>${StabilityMap.HowToRead} Data: stability.csv.</figcaption></figure>
            |<table><tr>${headers.map(h => s"<th>$h</th>").mkString}</tr>
            |$rows
            |</table>""".stripMargin

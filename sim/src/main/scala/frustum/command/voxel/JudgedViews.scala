@@ -22,7 +22,8 @@ final case class JudgedView(
   def squaredError: Double = Psnr.squaredError(picture, reference)
 }
 
-/** The views of a scene on their way through an engine and the judges. Refuses at once what the engine does not take. */
+/** The views of a scene on their way through an engine and the judges. Refuses at once what the engine does not take.
+  */
 final class JudgedViews(scene: VoxelScene, entry: VoxelEngineEntry, highlight: Boolean, seed: Long) {
   import scene.{assets, config, views, world}
   private val setting = VoxelSetting(config, assets, world, highlight, seed)

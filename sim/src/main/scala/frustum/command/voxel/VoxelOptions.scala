@@ -158,7 +158,8 @@ object VoxelOptions {
       option[Path](
         "serial",
         "FILE",
-        "the world and the last view as a host sends them to arty-voxel, with --engine compact to icebreaker-voxel (default: none)",
+        "the world and the last view as a host sends them to arty-voxel, with --engine compact to icebreaker-voxel " +
+          "(default: none)",
         Arguments.file
       )((o, v) => o.copy(serial = Some(v))),
       option[Path](

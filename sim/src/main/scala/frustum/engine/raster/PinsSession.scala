@@ -4,8 +4,8 @@ import frustum.engine.EngineSim
 import frustum.peripheral.{SimTftReader, TftController}
 import spinal.core.sim._
 
-/** Talks to a running [[PinsTestbed]]: bytes through the host, pictures from the display's memory. To be made first thing
-  * in the simulation.
+/** Talks to a running [[PinsTestbed]]: bytes through the host, pictures from the display's memory. To be made first
+  * thing in the simulation.
   */
 final class PinsSession(dut: PinsTestbed) {
   import PinsSession._
@@ -72,8 +72,8 @@ final class PinsSession(dut: PinsTestbed) {
       quiet = if (now == last) quiet + StepClocks else 0
       last = now
       if (quiet >= HangClocks) throw new IllegalStateException(
-        s"the board hangs: $what, and no pin has moved for $quiet clocks; ${controller.pixels} pixels have reached the " +
-          s"display, $queuedNow bytes wait, cts is ${dut.io.cts.toBoolean}"
+        s"the board hangs: $what, and no pin has moved for $quiet clocks; ${controller.pixels} pixels have reached " +
+          s"the display, $queuedNow bytes wait, cts is ${dut.io.cts.toBoolean}"
       )
     }
   }

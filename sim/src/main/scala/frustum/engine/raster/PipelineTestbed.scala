@@ -8,8 +8,8 @@ import frustum.raster.RasterPipeline
 import spinal.core._
 import spinal.core.sim._
 
-/** The Stream core with simulated hardware on both sides that feeds it and takes its pixels, so that the JVM need not be
-  * woken while it runs.
+/** The Stream core with simulated hardware on both sides that feeds it and takes its pixels, so that the JVM need not
+  * be woken while it runs.
   */
 case class PipelineTestbed(config: RasterConfig) extends Component {
   val io = new Bundle {

@@ -3,8 +3,8 @@ package frustum.engine.raster
 import frustum.contract.raster.{RasterConfig, TileRegion}
 import frustum.peripheral.RecordedPixel
 
-/** Puts the pixels of a pass together: tiles of the region row by row, in each of them rows from the top, clipped to the
-  * screen. Anything else in the stream is an error that says what came where.
+/** Puts the pixels of a pass together: tiles of the region row by row, in each of them rows from the top, clipped to
+  * the screen. Anything else in the stream is an error that says what came where.
   */
 final class TileAssembler(config: RasterConfig, region: TileRegion, into: Array[Int]) {
 

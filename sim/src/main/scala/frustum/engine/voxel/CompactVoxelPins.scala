@@ -8,7 +8,9 @@ import frustum.peripheral.SimTft
 import spinal.core._
 import spinal.core.sim._
 
-/** `icebreaker-voxel` with a display at its pins. The display looks twice a clock of the core, whose two halves SCK tells apart. */
+/** `icebreaker-voxel` with a display at its pins. The display looks twice a clock of the core, whose two halves SCK
+  * tells apart.
+  */
 case class CompactVoxelPins(c: VoxelConfig, focal: Int) extends Component {
   val io = new Bundle {
     val run = in Bool () // resetn

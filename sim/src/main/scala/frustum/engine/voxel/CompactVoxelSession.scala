@@ -4,7 +4,9 @@ import frustum.contract.voxel.{VoxelAssets, VoxelCamera, VoxelConfig}
 import frustum.engine.EngineSim
 import spinal.core.sim._
 
-/** Draws on a running [[CompactVoxelTestbed]]. To be made first thing in the simulation. Pictures are 0xRRGGBB, of RGB565. */
+/** Draws on a running [[CompactVoxelTestbed]]. To be made first thing in the simulation. Pictures are 0xRRGGBB, of
+  * RGB565.
+  */
 final class CompactVoxelSession(dut: CompactVoxelTestbed) {
   private val c = dut.c
   dut.io.start #= false

@@ -9,8 +9,8 @@ import frustum.engine.EngineSim
 import frustum.model.demos.voxel.VoxelScreen
 import frustum.picture.Picture
 
-/** arty-voxel at its pins: a host sends the camera, a monitor shows the picture. The monitor has several pixels for each
-  * of the picture's: they are as many pictures of the view, with the colours of the pins, of four bits a channel.
+/** arty-voxel at its pins: a host sends the camera, a monitor shows the picture. The monitor has several pixels for
+  * each of the picture's: they are as many pictures of the view, with the colours of the pins, of four bits a channel.
   */
 final class VoxelBoardEngine(setting: VoxelSetting) extends VoxelEngine {
   import setting.{config, highlight}

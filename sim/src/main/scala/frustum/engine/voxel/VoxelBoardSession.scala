@@ -16,7 +16,8 @@ final class VoxelBoardSession(dut: VoxelBoardTestbed) {
   private val session = new VideoSession(dut.monitor, config.divider)(EngineSim.clocks(dut.clockDomain))
   def reader: SimVideoReader = session.reader
 
-  /** Puts the words of a world into its memory, by the simulator's back door: by the serial line it takes 21 seconds. */
+  /** Puts the words of a world into its memory, by the simulator's back door: by the serial line it takes 21 seconds.
+    */
   def load(words: Array[Int]): Unit =
     for ((w, i) <- words.zipWithIndex) dut.top.core.console.pipeline.memory.words.setBigInt(i.toLong, BigInt(w))
 

@@ -9,7 +9,9 @@ import spinal.core._
 import spinal.core.sim._
 import spinal.lib._
 
-/** The Arty's voxel top with a monitor at its pins, and counters of what it does inside, so that the JVM need not be woken. */
+/** The Arty's voxel top with a monitor at its pins, and counters of what it does inside, so that the JVM need not be
+  * woken.
+  */
 case class VoxelBoardTestbed(config: VoxelConsoleConfig) extends Component {
   val io = new Bundle {
     val uart = in Bool ()

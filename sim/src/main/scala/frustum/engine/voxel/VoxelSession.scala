@@ -18,7 +18,9 @@ final class VoxelSession(dut: VoxelTestbed) {
   dut.clockDomain.forkStimulus(EngineSim.Period)
   dut.clockDomain.waitSampling(2)
 
-  /** Puts the words of a world into its memory, by the simulator's back door; those that are there already are left alone. */
+  /** Puts the words of a world into its memory, by the simulator's back door; those that are there already are left
+    * alone.
+    */
   def load(words: Array[Int], there: Array[Int] = Array.empty): Unit =
     for (i <- words.indices if !there.lift(i).contains(words(i)))
       dut.pipeline.memory.words.setBigInt(i.toLong, BigInt(words(i)))

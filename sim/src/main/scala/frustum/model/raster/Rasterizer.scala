@@ -27,7 +27,8 @@ trait FragmentSink {
   def tileEnd(tileX: Int, tileY: Int): Unit
 }
 
-/** Bit-exact rasterizer: tiles of the region row by row, in each the triangles in order, in each the spans to and fro. */
+/** Bit-exact rasterizer: tiles of the region row by row, in each the triangles in order, in each the spans to and fro.
+  */
 final case class Rasterizer(config: RasterConfig) {
   import config.formats.cut
   import config.ranges.wrap

@@ -2,7 +2,9 @@ package frustum.model.raster
 
 import frustum.contract.raster.{RasterConfig, RenderState}
 
-/** A covered pixel's place on the screen and its planes, as in `frustum.raster.scan.InterpolatedFragment`, colours left out. */
+/** A covered pixel's place on the screen and its planes, as in `frustum.raster.scan.InterpolatedFragment`, colours left
+  * out.
+  */
 final case class ScreenFragment(triangle: Int, x: Int, y: Int, s: Int, t: Int, q: Int, z: Int)
 
 /** Hands on what a rasterizer makes of a frame, pixel by pixel. */

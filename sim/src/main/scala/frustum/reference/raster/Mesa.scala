@@ -3,8 +3,8 @@ package frustum.reference.raster
 import frustum.contract.raster.{FramePass, RasterConfig, RenderState}
 import java.util.Locale
 
-/** Mesa's llvmpipe, off-screen, as a referee: another renderer, in float32, that snaps to 1/256 pixel, so that our vertices, on
-  * 1/16, are on its grid as well.
+/** Mesa's llvmpipe, off-screen, as a referee: another renderer, in float32, that snaps to 1/256 pixel, so that our
+  * vertices, on 1/16, are on its grid as well.
   *
   * @param program `draw.c` of the resources
   */

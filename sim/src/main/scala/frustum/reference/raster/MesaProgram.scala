@@ -27,8 +27,8 @@ final class MesaProgram(program: Path) {
 
 object MesaProgram {
 
-  /** `name`.c of the resources, compiled; None where Mesa or a C compiler is missing. The program takes its place whole, so
-    * that a command that runs it at the same time never meets half of one.
+  /** `name`.c of the resources, compiled; None where Mesa or a C compiler is missing. The program takes its place
+    * whole, so that a command that runs it at the same time never meets half of one.
     */
   def compiled(name: String): Option[MesaProgram] = {
     val folder = Files.createDirectories(Path.of(".cache", "mesa")).toAbsolutePath

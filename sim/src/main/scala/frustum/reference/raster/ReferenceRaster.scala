@@ -3,8 +3,8 @@ package frustum.reference.raster
 import frustum.contract.raster.{FramePass, RenderState, TextureUpload}
 import frustum.driver.raster.PreparedFrame
 
-/** A covered pixel of the reference. `texel` is after wrapping, None without a texture; `drawn` when it passed the tests of its
-  * alpha and depth.
+/** A covered pixel of the reference. `texel` is after wrapping, None without a texture; `drawn` when it passed the
+  * tests of its alpha and depth.
   */
 final case class ReferenceFragment(
     triangle: Int,

@@ -3,8 +3,8 @@ package frustum.reference.ray
 import frustum.contract.arithmetic.IntVector
 import frustum.contract.ray.{RayChecker, RayImage, RayMotion, RayPaint, RayScene, RaySolid}
 
-/** What exact arithmetic says of one ray. `paint` is the colour of the wall or quad that shows, before any shadow; `rgb`
-  * components are float64, 0..255.
+/** What exact arithmetic says of one ray. `paint` is the colour of the wall or quad that shows, before any shadow;
+  * `rgb` components are float64, 0..255.
   */
 case class ExactPixel(objectId: Int, shadowed: Boolean, paint: Int, rgb: Seq[Double])
 

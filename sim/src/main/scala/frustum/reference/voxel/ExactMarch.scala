@@ -5,8 +5,9 @@ import frustum.referee.WorldBlocks
 
 /** A ray from an eye through the world, block by block, in whole numbers and therefore exact.
   *
-  * Times at which borders are crossed are fractions that are compared crosswise. Of borders that are crossed
-  * at one time, that of x comes first, then y, then z. A point on a border of blocks or texels belongs to the one that the ray goes into.
+  * Times at which borders are crossed are fractions that are compared crosswise. Of borders that are crossed at one
+  * time, that of x comes first, then y, then z. A point on a border of blocks or texels belongs to the one that the ray
+  * goes into.
   *
   * @param eye in units of 2^-eyeBits blocks
   * @param direction of any length

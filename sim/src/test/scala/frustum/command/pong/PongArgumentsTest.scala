@@ -54,7 +54,7 @@ class PongArgumentsTest extends AnyFunSuite {
     s"pong --scene '$broken'" -> Seq("broken.json:", "JSON"),
     s"pong --scene '$empty'" -> Seq("none.json", "0 spheres"),
     s"pong --scene '$still'" -> Seq("still.json", "puck", "(-300, -220, 20)"),
-    s"pong --scene '$moving'" -> Seq("moving.json", "camera stands still", "(0, 0, -300)"),
+    s"pong --scene '$moving'" -> Seq("moving.json", "camera is constant", "(0, 0, -300)"),
     s"pong --scene '$second'" -> Seq("two.json", "sphere 1 moves", "centre"),
     s"pong --scene '$remote'" -> Seq("remote.json", "bits", "at most 64"),
     s"pong --scene '$tiles'" -> Seq("tiles.json", "192 kbit", "iCE40UP5K", "120"),

@@ -9,8 +9,8 @@ import java.awt.image.BufferedImage
 import java.nio.file.{Files, Path}
 import javax.imageio.ImageIO
 
-/** `voxel`: what it writes, and that bad arguments and files give exit code 2, one line that says what would be right, and no
-  * file.
+/** `voxel`: what it writes, and that bad arguments and files give exit code 2, one line that says what would be right,
+  * and no file.
   */
 class VoxelCommandTest extends AnyFunSuite {
   private val folder: Path = Files.createTempDirectory("voxel")

@@ -17,7 +17,9 @@ import spinal.core.sim._
 import scala.collection.mutable.ArrayBuffer
 import scala.util.Random
 
-/** The Arty's top at its pins, with a small picture and world: what a monitor shows of what a host sends and a pad holds. */
+/** The Arty's top at its pins, with a small picture and world: what a monitor shows of what a host sends and a pad
+  * holds.
+  */
 class VoxelConsoleTest extends AnyFunSuite with Simulated {
   private val c = VoxelConfig(size = WorldSize(16, 16, 16), width = 64, height = 48, leaps = LeapField.Quadrants)
   private val mode = VideoMode("test", 25, 128, 96, 8, 16, 24, 3, 2, 9, hPositive = false, vPositive = false)

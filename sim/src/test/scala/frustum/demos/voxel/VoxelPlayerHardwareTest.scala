@@ -14,7 +14,9 @@ import spinal.core.sim._
 import spinal.lib._
 import scala.util.Random
 
-/** The player in hardware, with a world and its editor, against the model: where it is, what it holds, what it changes, what it sees. */
+/** The player in hardware, with a world and its editor, against the model: where it is, what it holds, what it changes,
+  * what it sees.
+  */
 class VoxelPlayerHardwareTest extends AnyFunSuite with Simulated {
   private case class Bench(c: VoxelConfig, rules: VoxelRules, program: CameraProgram, start: VoxelStart)
       extends Component {

@@ -66,7 +66,8 @@ class VoxelModelTest extends AnyFunSuite {
       }
       val sum = counts.reduce(_ + _)
       info(
-        f"$field: ${sum.plainSteps.toDouble / sum.rays}%.2f steps a ray plain, ${sum.steps.toDouble / sum.rays}%.2f leaping"
+        f"$field: ${sum.plainSteps.toDouble / sum.rays}%.2f steps a ray plain, ${sum.steps.toDouble / sum.rays}%.2f " +
+          "leaping"
       )
       assert(sum.failures.isEmpty)
       assert(sum.steps <= sum.plainSteps * most)

@@ -3,8 +3,8 @@ package frustum.raster.fragment
 import spinal.core._
 import spinal.lib._
 
-/** Tells when what leaves the interlock breaks a promise: a fragment that follows another of its pixel within less than two
-  * clocks, or three where they are blended; the end of a tile while the one before is not `done`.
+/** Tells when what leaves the interlock breaks a promise: a fragment that follows another of its pixel within less than
+  * two clocks, or three where they are blended; the end of a tile while the one before is not `done`.
   */
 class InterlockWatch(out: Flow[ColoredFragment], blend: Bool, done: Bool) extends Area {
   private val address = out.payload.address

@@ -4,17 +4,22 @@ import frustum.contract.raster.{
   Combine,
   Command,
   FixedState,
+  PackedTriangle,
+  PackedVertex,
   RasterConfig,
   RenderState,
   StoreLayout,
   TexelFormat,
   TextureRef,
+  TriangleLayout,
+  VertexLayout,
   VertexRanges
 }
 import frustum.harness.{FrustumSim, Simulated}
 import frustum.model.raster.link.{CommandDecoder => DecoderModel, Job, LinkCounters, LinkModel}
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core.sim._
+import spinal.lib.sim.StreamDriver
 
 import scala.util.Random
 
@@ -22,12 +27,17 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
   private val small = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
   private lazy val compiled = FrustumSim.compile("CommandLink_small")(CommandLinkTop(small, dropWhenFull = false))
 
+  private val usual = RasterConfig()
+  private lazy val compiledUsual =
+    FrustumSim.compile("CommandLink_default")(CommandLinkTop(usual, dropWhenFull = false))
+
   private def run(
       sim: SimCompiled[CommandLinkTop],
       config: RasterConfig,
       stream: Seq[Int],
       seed: Int,
-      stall: Double
+      stall: Double,
+      done: LinkSink => Unit = _ => ()
   ): Unit = {
     val model = new LinkModel(config)
     model.feed(stream)
@@ -50,6 +60,7 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
       clock.waitSampling(6000)
       LinkChecks.same(config, model, sink, s"seed $seed, stall $stall")
       assert(LinkChecks.counters(dut.io.status) == model.counters(sink.done), s"seed $seed, stall $stall")
+      done(sink)
     }
   }
 
@@ -64,9 +75,7 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
     }
 
   test("and for the default sizes") {
-    val config = RasterConfig()
-    val sim = FrustumSim.compile("CommandLink_default")(CommandLinkTop(config, dropWhenFull = false))
-    run(sim, config, traffic(config, 4, 6), 4, 0.1)
+    run(compiledUsual, usual, traffic(usual, 4, 6), 4, 0.1)
   }
 
   test("and for hardware that cannot blend, clamp or write other than RGB565: states that ask for it are refused") {
@@ -119,6 +128,104 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
       assert(got.takeRight(2) == Seq((Command.Begin.opcode, Seq(8, 0, 0, 0)), (Command.Draw.opcode, Seq(0, 0))))
     }
     run(compiled, small, spoilt.flatMap(_ ++ after), 5, 0.0)
+  }
+
+  /** Cycles from the first byte of a frame of these commands until its job, with no stall but the link's own. */
+  private def cycles(commands: Seq[(Command, Seq[Int])]): Int = {
+    val traffic = new LinkTraffic(usual, new Random(1))
+    val vertices = commands.filter(_._1 == Command.Vertices).map(c => (c._2.length - 1) / VertexLayout.words).sum
+    val triangles = commands.filter(_._1 == Command.Triangles).map(c => (c._2.length - 1) / TriangleLayout.words).sum
+    val whole = Seq(0, 0, usual.tilesX - 1, usual.tilesY - 1)
+    val frame =
+      (Command.Begin -> Seq(1, 0, whole(2), whole(3))) +: commands :+ (Command.Draw -> Seq(vertices, triangles))
+    var count = 0
+    compiledUsual.doSim("cycles", 1) { dut =>
+      dut.io.rival.cmd.valid #= false
+      dut.io.rival.cmd.write #= false
+      dut.io.texels.ready #= true
+      dut.io.job.ready #= false
+      dut.io.jobDone #= false
+      val bytes = collection.mutable.Queue(traffic.bytes(frame, errors = false): _*)
+      StreamDriver(dut.io.bytes, dut.clockDomain) { byte =>
+        bytes.nonEmpty && { byte #= bytes.dequeue(); true }
+      }.transactionDelay = () => 0
+      SimTimeout(10L * 200000)
+      dut.clockDomain.forkStimulus(period = 10)
+      dut.clockDomain.waitSamplingWhere { count += 1; dut.io.job.valid.toBoolean }
+      assert(dut.io.job.triangleCount.toInt == triangles && dut.io.status.accepted.toInt == commands.length + 1)
+    }
+    count
+  }
+
+  test("a vertex takes 31 cycles and a triangle 55, as docs/architecture.md has it") {
+    val corners = Seq((0, 0), (800, 0), (0, 800)).map { case (x, y) =>
+      PackedVertex(x, y, 0, 32768, 16, 0, 0, 0, 0, 0, 0).words
+    }
+    def vertices(count: Int) = Command.Vertices -> (0 +: Seq.tabulate(count)(n => corners(n % 3)).flatten)
+    val triangles = Command.Triangles -> (0 +: Seq.fill(59)(PackedTriangle(0, 0, 1, 2).words).flatten)
+    // Full commands in a row, so that the next one is received while one is executed.
+    def perCommand(command: (Command, Seq[Int])) =
+      (cycles(vertices(3) +: Seq.fill(10)(command)) - cycles(vertices(3) +: Seq.fill(2)(command))) / 8.0
+    val (vertex, triangle) = (perCommand(vertices(11)) / 11, perCommand(triangles) / 59)
+    info(f"$vertex%.1f cycles per vertex, $triangle%.1f per triangle")
+    assert((vertex - 31).abs < 1 && (triangle - 55).abs < 1)
+  }
+
+  // The tables of the contract are in model and hardware alike; these words are docs/commands.md's, by hand.
+  test("a frame written by hand leaves the words in the store that are written by hand") {
+    def command(opcode: Int, words: Int*) = Command.encode(Command(opcode, "by hand", Nil, ""), words)
+    val frame = Seq(
+      // Frame 0x55, clear colour, tile columns 0 to 4, rows 0 to 3.
+      command(0x01, 0x0055, 0x1234, 0x0004, 0x0003),
+      // State 11. RGBA4444 1 << 15, height 64 = 2^(3 + 3), width 32 = 2^(2 + 3), base 5; then alpha reference 9 << 11,
+      // blend 1 << 10, depth write 1 << 9, less or equal 3 << 6, modulate 2 << 4, mirror 2 << 2, clamp 1.
+      command(0x02, 0x000b, 0xb405, 0x4ee9),
+      // Index; x, y, z, qMantissa; qExponent << 11 and s over two words, t over two words; r g, b a.
+      command(0x03, 0x0005, 0x0010, 0x0020, 0x1234, 0x8000, 0x8000, 0x0000, 0x0000, 0x0000, 0x1122, 0x3344),
+      // s = 0xa000, t = -0x8000
+      command(0x03, 0x0012, 0x0390, 0x0030, 0x2345, 0x9000, 0x7800, 0xa000, 0x07ff, 0x8000, 0x5566, 0x7788),
+      // s = -0x14000, t = 0x18000
+      command(0x03, 0x002a, 0x0100, 0x0240, 0x4567, 0xa000, 0x87fe, 0xc000, 0x0001, 0x8000, 0x99aa, 0xbbcc),
+      // State 11; v0 = 5 in bits 13..4, v1 = 0x12 in bits 15..10 of the second word, v2 = 0x2a.
+      command(0x04, 0x000b, 0x0050, 0x482a),
+      // 3 vertices and 1 triangle: the example of docs/commands.md.
+      Seq(0x7e, 0x06, 0x02, 0x00, 0x03, 0x00, 0x01, 0x8e, 0x03)
+    )
+    // With 50 vertices and 40 triangles, word k of vertex i is at 0x40 k + i, state i at 0x140 + i, triangles from
+    // 0x180. A vertex keeps the words of the wire in pairs. Bits 24..0 are s and t; the frame's number is above t.
+    val (all, coordinate) = (0xffffffffL, 0xf9ffffffL)
+    val vertices = Seq(
+      0x05 -> Seq(0x00100020L, 0x12348000L, 0x80000000L, 0xaa000000L, 0x11223344L),
+      0x12 -> Seq(0x03900030L, 0x23459000L, 0x7800a000L, 0xabff8000L, 0x55667788L),
+      0x2a -> Seq(0x01000240L, 0x4567a000L, 0x81fec000L, 0xaa018000L, 0x99aabbccL)
+    )
+    val words = vertices.flatMap { case (index, words) =>
+      words.zip(Seq(all, all, coordinate, all, all)).zipWithIndex.map { case ((word, mask), k) =>
+        (0x40 * k + index, mask, word)
+      }
+    } ++ Seq(
+      (0x14b, all, 0xb4054ee9L),
+      (0x180, 0x3fffffffL, 0x0050482aL),
+      // State 11 << 28; tiles of 16 x 16 pixels: columns 0 to 3 (<< 10), as x is 1 to 57 pixels; rows 0 to 2, y is 2 to
+      // 36.
+      (0x181, 0xf00fffffL, 0xb0000c02L)
+    )
+    run(
+      compiled,
+      small,
+      frame.flatten,
+      6,
+      0.0,
+      sink => {
+        val job = sink.jobs.head
+        assert(sink.jobs.length == 1 && job.triangleCount == 1 && job.clearColor == 0x1234)
+        for ((address, mask, word) <- words)
+          assert(
+            (job.store(address) & mask) == word,
+            s"store word ${address.toHexString}: ${job.store(address).toHexString}"
+          )
+      }
+    )
   }
 }
 

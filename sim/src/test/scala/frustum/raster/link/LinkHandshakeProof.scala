@@ -23,8 +23,8 @@ class CommandDecoderClaims extends Component {
   Claims.sink(unit.io.job)
   anyseq(unit.io.jobDone)
   assume(!unit.io.jobDone || unit.io.drawing)
-  // For induction: one state at a time, the store is asked only while a unit asks, and a triangle is under way only while
-  // its words are offered.
+  // For induction: one state at a time, the store is asked only while a unit asks, and a triangle is under way only
+  // while its words are offered.
   val reader = unit.reader
   val state = reader.state.pull()
   val triangle = unit.triangles.state.pull()

@@ -98,7 +98,8 @@ class TriangleSetupAccuracyTest extends AnyFunSuite {
       val v = IndexedSeq(a, near(vertex(r, 8)), near(vertex(r, 8)))
       errors(v).map(sliver(v) -> _)
     }.flatten.take(2000).toSeq
-    // A sliver's two barycentric coordinates are off by 2^-17 each a step, differences are below 2^31, steps at most 30.
+    // A sliver's two barycentric coordinates are off by 2^-17 each a step, differences are below 2^31, steps at most
+    // 30.
     for ((name, kind, bound, colorBound) <- Seq(("ordinary", false, 128, 64), ("slivers", true, 30 << 15, 64))) {
       val these = found.filter(_._1 == kind).map(_._2)
       val worst = (0 until Planes).map(p => these.map(_(p)).max)

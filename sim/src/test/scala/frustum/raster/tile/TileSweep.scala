@@ -4,8 +4,8 @@ import frustum.contract.raster.RasterConfig
 import spinal.core._
 import spinal.lib._
 
-/** Stands in for the resolver: after reset it clears both banks, after each tile's end that tile's bank, word after word,
-  * two clocks each. `word` marks the clock in which the memory shows the word that goes.
+/** Stands in for the resolver: after reset it clears both banks, after each tile's end that tile's bank, word after
+  * word, two clocks each. `word` marks the clock in which the memory shows the word that goes.
   */
 case class TileSweep(config: RasterConfig) extends Component {
   val io = new Bundle {

@@ -10,7 +10,9 @@ import spinal.core.sim._
 import spinal.lib._
 import scala.util.Random
 
-/** Edits by the hardware: after each the world's memory is, word for word, what a host would have made of the new world. */
+/** Edits by the hardware: after each the world's memory is, word for word, what a host would have made of the new
+  * world.
+  */
 class WorldEditorTest extends AnyFunSuite with Simulated {
   private case class Bench(c: VoxelConfig) extends Component {
     val edit = slave(Stream(BlockEdit(c)))

@@ -3,8 +3,8 @@ package frustum.demos.pad
 import spinal.core._
 import spinal.lib._
 
-/** Contacts that bounce, in another clock domain or in none: two flip-flops, then a look at each `sample`; what two
-  * looks in a row agree on is what holds. With looks a frame apart (17 ms) a bounce is over between them.
+/** Contacts that bounce, in another clock domain or in none: two flip-flops, then a sample at each `sample`; a state
+  * holds when two samples in a row are equal. With samples a frame apart (17 ms) a bounce ends between them.
   */
 case class Buttons(count: Int) extends Component {
   val io = new Bundle {

@@ -6,30 +6,30 @@ import spinal.lib.com.spi.{SpiMasterCtrl, SpiMasterCtrlGenerics}
 
 /** A console pad's wires; `dat` needs a pull-up. */
 case class ConsolePadPins() extends Bundle with IMasterSlave {
-  val att = Bool() // low while the pad is asked
+  val att = Bool() // low during an exchange
   val sck = Bool()
   val cmd = Bool() // to the pad
   val dat = Bool() // from it
   override def asMaster(): Unit = { out(att, sck, cmd); in(dat) }
 }
 
-/** Asks a console's pad what is held: SPI mode 3, least significant bit first, bytes 01 42 00 ..., of which the pad
-  * answers the second with its id, the third with 5A, then as many pairs of bytes as the id's low digit says (nocash,
-  * PSX specifications). The first pair is buttons, the next two are sticks where the id is one of
-  * [[ConsolePad.Sticks]]; all pairs are fetched, and the others ignored.
+/** Reads a console's pad: SPI mode 3, least significant bit first, bytes 01 42 00 ..., of which the pad answers the
+  * second with its id, the third with 5A, then as many pairs of bytes as the id's low digit says (nocash, PSX
+  * specifications). The first pair is buttons, the next two are sticks where the id is one of [[ConsolePad.Sticks]];
+  * all pairs are fetched, and the others ignored.
   *
-  * An answer counts when it is whole: without a pad, with an id that is none of [[ConsolePad.Ids]] or when the pad
-  * goes away meanwhile, the state is at rest. A pad that goes away leaves ones; four bytes of 255 after the buttons
-  * are taken for that. A question takes some 1.1 ms with sticks at 83 kHz, nine bytes and [[ConsolePad.PauseMicros]]
-  * before each, and 2.5 ms with pressures, 21 bytes.
+  * An answer counts when it is complete: without a pad, with an id that is none of [[ConsolePad.Ids]] or when the pad
+  * is removed meanwhile, the state is at rest. Without a pad the line reads as ones; four bytes of 255 after the
+  * buttons count as a removed pad. An exchange takes about 1.1 ms with sticks at 83 kHz, nine bytes and
+  * [[ConsolePad.PauseMicros]] before each, and 2.5 ms with pressures, 21 bytes.
   *
   * @param clockHz core clock
-  * @param sckHz   at most; pads take some 250 kHz
+  * @param sckHz   at most; pads support about 250 kHz
   */
 case class ConsolePad(clockHz: Long, sckHz: Int = 83333) extends Component {
   require(clockHz >= 4L * sckHz, s"ConsolePad: a clock of $clockHz Hz is less than 4 times SCK's $sckHz")
   val io = new Bundle {
-    val poll = in Bool () // asks, unless an answer is under way; once a frame is enough
+    val poll = in Bool () // starts an exchange unless one is in progress; once per frame is enough
     val pins = master(ConsolePadPins())
     val state = out(PadState())
     val done = out Bool () // pulses when `state` is new
@@ -44,12 +44,12 @@ case class ConsolePad(clockHz: Long, sckHz: Int = 83333) extends Component {
   spi.io.config.kind.cpha := True
   spi.io.config.sclkToggle := toggle
 
-  // The answer to byte n is answer(n); that to the first means nothing.
+  // The answer to byte n is answer(n); that to the first is undefined.
   val answer = Vec.fill(ConsolePad.Bytes)(Reg(Bits(8 bits)))
   val busy = RegInit(False)
   val index = Reg(UInt(5 bits)) // byte to send
   val arrived = Reg(UInt(5 bits)) // bytes answered
-  val waiting = Reg(UInt(log2Up(pause + 1) bits)) // before the next byte
+  val waiting = Reg(UInt(log2Up(pause + 1) bits)) // cycles until the next byte
   val id = answer(1)
   val known = ConsolePad.Ids.map(id === _).orR
   val sticks = ConsolePad.Sticks.map(id === _).orR

@@ -2,10 +2,10 @@ package frustum.demos.pad
 
 import spinal.core._
 
-/** What is held on a console's pad, buttons high where pressed.
+/** The state of a console's pad, buttons high where pressed.
   *
-  * @note sticks are 0 (left, up) to 255, 128 in the middle, which is where a pad without sticks has them. Of a pad that is not there
-  *       everything is at rest.
+  * @note sticks are 0 (left, up) to 255, 128 in the middle, also for a pad without sticks. Without a pad everything is
+  *       at rest.
   */
 case class PadState() extends Bundle {
   val connected = Bool()

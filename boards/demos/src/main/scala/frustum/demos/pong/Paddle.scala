@@ -2,7 +2,7 @@ package frustum.demos.pong
 
 import spinal.core._
 
-/** The paddle's centre: a step a tick in each direction that is pressed, diagonals too, within its reach. */
+/** The paddle's centre: a step per tick in each direction that is pressed, diagonals too, within its reach. */
 case class Paddle() extends Component {
   val io = new Bundle {
     val restart, move = in Bool ()

@@ -4,7 +4,7 @@ import frustum.demos.pong.PongRules._
 import spinal.core._
 import spinal.lib._
 
-/** 3-D pong: a tick moves the paddle, moves the puck, decides bounce or catch, and counts, one after the other in
+/** 3-D pong: a tick moves the paddle, moves the puck, computes bounce or catch, and counts, one after the other in
   * `PongGame.TickClocks`; between ticks nothing changes. A miss or the last catch ends the game until all buttons are
   * pressed at once, or reset.
   */
@@ -12,13 +12,13 @@ case class PongGame() extends Component {
   import PongGame._
   val io = new Bundle {
     val tick = in Bool ()
-    val buttons = in(PongButtons()) // steady during a tick
+    val buttons = in(PongButtons()) // constant during a tick
     val puck = out(Vec(SInt(12 bits), 3))
     val paddleX = out SInt (12 bits)
     val paddleY = out SInt (12 bits)
-    val tens, ones = out UInt (4 bits) // of the score
+    val tens, ones = out UInt (4 bits) // digits of the score
     val won, lost = out Bool ()
-    val caught = out Bool () // at the last tick
+    val caught = out Bool () // the puck was caught at the last tick
   }
   val won, lost, caught = RegInit(False)
   val tens, ones = Reg(UInt(4 bits)) init 0

@@ -13,7 +13,7 @@ import spinal.lib._
 
 /** What pong draws, and where to.
   *
-  * @param scene sphere 0 is the puck and quad 0 the paddle, as [[PongScene.room]] has them; others stand still
+  * @param scene sphere 0 is the puck and quad 0 the paddle, as [[PongScene.room]] has them; others do not move
   */
 case class PongPipelineConfig(
     mode: VideoMode = VideoMode.Vga640x480,
@@ -43,7 +43,7 @@ case class PongPipelineConfig(
 
   require(
     scene.camera.fixed,
-    s"pong's camera stands still: the scene's goes from ${scene.camera.low} to ${scene.camera.high}"
+    s"pong's camera is constant: the scene's goes from ${scene.camera.low} to ${scene.camera.high}"
   )
   require(
     mode.width >= 16 * Font.Cell,
@@ -56,10 +56,10 @@ case class PongPipelineConfig(
   val message: TextField = TextField.centred(mode.width, mode.height / 2 / (Font.Cell << scale), 4, scale)
 }
 
-/** 3-D pong to a monitor, one pixel a clock: buttons, game, ray caster, score, dither. What is drawn changes in the
+/** 3-D pong to a monitor, one pixel per cycle: buttons, game, ray caster, score, dither. What is drawn changes in the
   * vertical blank alone; `video` is registered and comes `latencyClocks` after the scanner's position.
   *
-  * @param fast whether there are more registers, in the ray caster and before the dither, for a higher clock
+  * @param fast whether there are more registers, in the ray caster and before the dither, for a higher clock frequency
   */
 case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic, fast: Boolean = false)
     extends Component {
@@ -80,7 +80,7 @@ case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic, f
   game.io.buttons.assignFromBits(buttons.io.held)
 
   val ray = RayPipeline(RayConfig(scene, mode, fast), tech)
-  private val ticked = PongGame.TickClocks + 2 // clocks until a tick that `frameEnd` starts is done
+  private val ticked = PongGame.TickClocks + 2 // cycles until a tick that `frameEnd` starts is done
   ray.io.latch := Delay(scanner.io.frameEnd, ticked, init = False)
   ray.io.line := scanner.io.line
   ray.io.up.valid := scanner.io.active
@@ -106,12 +106,12 @@ case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic, f
   private val beforeDither = if (fast) 1 else 0
   private val colourLatency = ray.latency + beforeDither
 
-  /** The ray caster is the longest way; all else waits for it, and a last register is the pins'. */
+  /** The ray caster has the longest latency; all else is delayed to it, and a last register is the pins'. */
   val latencyClocks: Int = colourLatency + 1
   require(latencyClocks < PixelScanner.Tail, s"latency $latencyClocks, at most ${PixelScanner.Tail - 1}")
   require(
     ray.latency >= TextOverlay.Latency,
-    s"the ray caster's ${ray.latency} clocks are fewer than the text's"
+    s"the ray caster's ${ray.latency} cycles are fewer than the text's"
   )
 
   /** Sync pulses, 0 while idle, and text, all as late as the text by itself. */
@@ -124,7 +124,7 @@ case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic, f
     ),
     ray.latency - TextOverlay.Latency
   )
-  // After a reset the memory still holds what was on its way: no pulse of it reaches the pins.
+  // After a reset the memory still holds what was in flight: no pulse of it reaches the pins.
   private val settled = RegInit(False) setWhen scanner.io.frameEnd
   private val (cell, dot) = (late(3), late(2))
   private def toDither(pulse: Bool) = Delay(pulse, beforeDither, init = False)
@@ -132,7 +132,7 @@ case class PongPipeline(config: PongPipelineConfig, tech: Tech = Tech.Generic, f
   private val (hPulse, vPulse) = (toDither(late(1) && settled), toDither(late(0) && settled))
 
   val dither = OrderedDither(format)
-  // The beam has gone on by the latency, into the blank at most: its row is the pixel's.
+  // The scanner is ahead by the latency, into the blank at most: its row is the pixel's.
   require(colourLatency < mode.hBlank, s"latency $colourLatency in a blank of ${mode.hBlank}")
   dither.io.x := scanner.io.x(1 downto 0) - (colourLatency & 3)
   dither.io.y := scanner.io.y(1 downto 0)

@@ -12,7 +12,7 @@ case class PuckAxis(low: Int, high: Int, start: Int) extends Component {
     val newPositive = in Bool ()
     val position = out SInt (12 bits)
     val speed = out UInt (PongRules.SpeedBits bits)
-    val atHigh = out Bool () // at the high limit or beyond it, to be looked at with `bound`
+    val atHigh = out Bool () // at the high limit or beyond it, to be used with `bound`
   }
   private val furthest = scala.math.max(high.abs, low.abs) + (1 << PongRules.SpeedBits)
   require(furthest < (1 << 11), s"puck from $low to $high leaves 12 bits")

@@ -2,8 +2,8 @@ package frustum.demos.voxel
 
 import frustum.contract.voxel.VoxelTextures
 
-/** The 32 textures of the workbench's blocks, drawn by code: two ramps of colours each, and a shade from 0 to 1 in one of
-  * them for each texel.
+/** The 32 textures of the workbench's blocks, drawn by code: two ramps of colours each, and a shade from 0 to 1 in one
+  * of them for each texel.
   */
 object BlockArt {
   private val Side = VoxelTextures.Side

@@ -5,8 +5,8 @@ import frustum.voxel.world.{BlockFlags, LeapWord, WorldPlace, WorldReadBus}
 import spinal.core._
 import spinal.lib._
 
-/** Whether a player's body, with its feet at some place, touches a block that can be pointed at: reads the blocks that
-  * the body reaches into, at most twelve, four cycles each. What lies outside of the world is air. The model is
+/** Whether a player's body, with its feet at some place, touches a selectable block: reads the blocks that the body
+  * reaches into, at most twelve, four cycles each. Outside the world is air. The model is
   * `frustum.model.demos.voxel.VoxelPlayer.touches`.
   *
   * `start` takes the place; `touches` and the blocks `low` to `high` hold from `done` to the next start.
@@ -23,7 +23,7 @@ case class BodyProbe(config: VoxelConfig, kinds: BlockTable) extends Component {
   }
   val low, high, at = Reg(Vec(SInt(config.blockBits bits), 3))
   val busy, touches = RegInit(False)
-  val since = Reg(UInt(2 bits)) // cycles that the place stands
+  val since = Reg(UInt(2 bits)) // cycles since the place is stable
   val address = RegNext(WorldPlace.address(config.size, at))
   val word = RegNext(io.read.word)
   val inside = RegNext(WorldPlace.inside(config.size, at))

@@ -4,15 +4,15 @@ import frustum.contract.arithmetic.SineTable
 import frustum.contract.raster.Part
 import scala.math.{floor, log, pow, round}
 
-/** How a camera follows from the sines and cosines of its yaw and pitch: one product a step,
+/** How a camera follows from the sines and cosines of its yaw and pitch: one product per step,
   * {{{
   * look  = (cos yaw cos pitch, sin yaw cos pitch, sin pitch)
   * right = (sin yaw, -cos yaw, 0) / focal
   * down  = (cos yaw sin pitch, sin yaw sin pitch, -cos pitch) / focal
   * base  = look - (width - 1) / 2 right - (height - 1) / 2 down
   * }}}
-  * Numbers are those of [[VoxelCamera]]. As rounded steps are what rays add up, `base` is reckoned from `right` and `down` as they were
-  * rounded; sines of 16 fraction bits turn the whole camera by at most 1/500 pixel.
+  * Numbers are those of [[VoxelCamera]]. As rays add up rounded steps, `base` is computed from the rounded `right` and
+  * `down`; sines of 16 fraction bits turn the whole camera by at most 1/500 pixel.
   *
   * @param focal pixels from the eye to the screen
   */
@@ -47,7 +47,7 @@ object CameraProgram {
   sealed trait Value
   sealed trait Factor
 
-  /** Both a value, then of 22 fraction bits, and a factor. */
+  /** A value of 22 fraction bits that is a factor as well. */
   sealed trait Sine extends Value with Factor
   case object CosYaw extends Sine
   case object SinYaw extends Sine

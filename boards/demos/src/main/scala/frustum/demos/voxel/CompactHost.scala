@@ -6,9 +6,9 @@ import frustum.voxel.world.WorldWrite
 import spinal.core._
 import spinal.lib._
 
-/** [[VoxelHost]] without a register of its own for the camera: its numbers go on as they come, and `commit` says that
-  * they were all right. What is wrong changes nothing and is counted, as there; so are blocks by their id and places
-  * for a player, which have no hardware here.
+/** [[VoxelHost]] without a register of its own for the camera: its numbers are sent as they arrive, and `commit`
+  * follows if the command is valid. A command with an error changes nothing and is counted, as there; so are blocks by
+  * their id and places for a player, which have no hardware here.
   *
   * @param silence cycles after which the next byte begins a command
   */
@@ -19,13 +19,13 @@ case class CompactHost(config: VoxelConfig, silence: Int) extends Component {
     val edit = master(Stream(WorldWrite(config)))
     val camera = master(Flow(CameraWrite()))
     val commit = out Bool ()
-    val highlight = out Bool () // with `commit`
-    val refused = out UInt (8 bits) // stays at its end
+    val highlight = out Bool () // valid with `commit`
+    val refused = out UInt (8 bits) // refused commands; saturates
   }
   val framing = HostFraming(bytesOf, silence)
   val opcode = framing.io.opcode
   val payload = Reg(Bits(8 * WriteBytes bits))
-  val third = Reg(UInt(2 bits)) // bytes of a number so far
+  val third = Reg(UInt(2 bits)) // bytes of the current number
   val index = Reg(UInt(4 bits))
   val eyeFits = Reg(Bool())
   val editValid = RegInit(False) clearWhen io.edit.ready

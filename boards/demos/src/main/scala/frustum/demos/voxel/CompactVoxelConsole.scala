@@ -12,7 +12,7 @@ import spinal.lib.com.uart.{UartCtrl, UartCtrlInitConfig, UartParityType, UartSt
 /** A world of blocks on a serial display: a host sends world and camera over a serial line, frame after frame goes to
   * the display pixel by pixel as it is drawn. A frame is of one camera, and of one world unless one is being loaded.
   *
-  * @param camera the one of the start
+  * @param camera initial camera
   * @param clocksPerBit of the display's SCK
   * @param fast   shortens the display's pauses, for simulation
   */
@@ -29,7 +29,7 @@ case class CompactVoxelConsole(
   val io = new Bundle {
     val uart = in Bool ()
     val display = out(DisplayPins())
-    val refused = out UInt (8 bits) // commands of the host
+    val refused = out UInt (8 bits) // refused commands of the host
   }
   private val clockHz = ClockDomain.current.frequency.getValue.toLong
   val screen = WholeScreen(config.width, config.height)
@@ -38,11 +38,11 @@ case class CompactVoxelConsole(
   val pipeline = CompactVoxelPipeline(config, assets, camera, tech)
   val display = SpiDisplay(screen, panel, clockHz, clocksPerBit, fast, tech)
 
-  /** The receiver looks eight times a bit. */
+  /** The receiver samples eight times per bit. */
   val looks = clockHz.toDouble / baud / 8
   require(
     (looks / looks.floor - 1).abs < 0.01,
-    s"$baud baud at $clockHz Hz: $looks clocks from look to look are not near a whole number"
+    s"$baud baud at $clockHz Hz: $looks cycles from sample to sample are not near an integer"
   )
   uart.io.uart.rxd := io.uart
   uart.io.read >> host.io.bytes
@@ -62,9 +62,9 @@ case class CompactVoxelConsole(
   io.refused := host.io.refused
   io.display := display.io.pins
 
-  /** Pixels on their way to the display: the first of each frame begins its window. */
+  /** Pixels in flight to the display: the first of each frame begins its window. */
   val scan = new Area {
-    val left = Reg(UInt(config.pixelBits bits)) init 0 // of the frame
+    val left = Reg(UInt(config.pixelBits bits)) init 0 // remaining pixels of the frame
     val first = left === 0
     when(pipeline.io.pixels.fire)(left := Mux(first, U(config.pixels - 1), left - 1))
     display.io.pixels.arbitrationFrom(pipeline.io.pixels)

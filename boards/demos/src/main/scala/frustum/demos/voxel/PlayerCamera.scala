@@ -14,8 +14,8 @@ case class PlayerSines() extends Bundle {
   def all: Seq[SInt] = Seq(cosYaw, sinYaw, cosPitch, sinPitch) // as CameraProgram.sines has them
 }
 
-/** Makes a camera's directions of the sines of its angles, a step of [[frustum.demos.voxel.CameraProgram]] in some twenty
-  * cycles with one multiplier that adds and shifts. `start` takes nothing: sines must hold until `done`. A host may
+/** Makes a camera's directions of the sines of its angles, a step of [[frustum.demos.voxel.CameraProgram]] in about
+  * twenty cycles with one multiplier that adds and shifts. Sines must be stable from `start` to `done`. A host may
   * `load` a camera instead.
   */
 case class PlayerCamera(config: VoxelConfig, program: CameraProgram) extends Component {
@@ -51,7 +51,7 @@ case class PlayerCamera(config: VoxelConfig, program: CameraProgram) extends Com
   when(added)(step := step + 1)
   when(io.start)(step := 0)
 
-  /** What a step has of one kind: a choice among those that occur. */
+  /** One operand of a step: a choice among those that occur. */
   private def choice[A, T <: Data](of: Step => A)(make: A => T): T = {
     val kinds = steps.map(of).distinct
     Vec(kinds.map(make))(Vec(steps.map(s => U(kinds.indexOf(of(s)), log2Up(kinds.length) bits)))(step))

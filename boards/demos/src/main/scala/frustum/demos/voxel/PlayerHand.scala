@@ -5,8 +5,8 @@ import frustum.voxel.march.PointedAt
 import frustum.voxel.world.WorldPlace
 import spinal.core._
 
-/** The block that a player's hand is at: the one that is pointed at, to destroy it, or the one before its face, to
-  * place one there.
+/** The block that a player's hand is at: the selected one, to destroy it, or the one before its face, to place one
+  * there.
   *
   * @param low,high blocks that the player's body reaches into
   */

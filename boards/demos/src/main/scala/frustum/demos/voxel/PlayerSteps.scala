@@ -5,8 +5,8 @@ import frustum.contract.arithmetic.SineTable
 import frustum.demos.voxel.VoxelRules._
 import spinal.core._
 
-/** Sines of a player's pose, looked up one after the other while it `looks`, and the way along x and y that the buttons
-  * ask for; the latter holds a few cycles after the former.
+/** Sines of a player's pose, looked up one after the other while it `looks`, and the movement along x and y of the
+  * buttons, which is valid a few cycles later.
   *
   * @param width of a coordinate
   */

@@ -3,7 +3,7 @@ package frustum.demos.voxel
 import frustum.demos.pad.PadState
 import spinal.core._
 
-/** What a player of a voxel world holds down. */
+/** The inputs of a player of a voxel world. */
 case class VoxelButtons() extends Bundle {
   val forward, back, left, right, up, down = Bool()
   val turnLeft, turnRight, lookUp, lookDown = Bool()
@@ -19,7 +19,7 @@ object VoxelButtons {
   /** A stick counts when it is this far from its middle. */
   val Tilt = 48
 
-  /** What a console's pad asks for: cross and circle up and down, R2 destroys, L2 places, L1 and R1 change the item.
+  /** The inputs from a console's pad: cross and circle up and down, R2 destroys, L2 places, L1 and R1 change the item.
     * The left stick walks, the right one looks; without sticks the cross of arrows walks and turns, triangle and square
     * look up and down.
     */

@@ -12,9 +12,9 @@ import spinal.lib._
 import spinal.lib.com.uart.{UartCtrl, UartCtrlInitConfig, UartParityType, UartStopType}
 
 /** A world of blocks on a monitor, with a console's pad to walk in it. The picture is drawn into one frame buffer while
-  * the other is shown; they are exchanged in the vertical blank alone. Then the player has its turn, is drawn, and the
-  * pad is asked again. World and camera change between pictures alone. A host may send the world, blocks, a place for
-  * the player or, instead of the player's view, a camera, over a serial line. All runs from one clock; the monitor's
+  * the other is shown; they are exchanged in the vertical blank alone. Then the player moves, is drawn, and the pad is
+  * polled again. World and camera change between pictures alone. A host may send the world, blocks, a place for the
+  * player or, instead of the player's view, a camera, over a serial line. All of it runs from one clock; the monitor's
   * side is enabled in one of `divider` cycles.
   */
 case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech = Tech.Generic) extends Component {
@@ -24,16 +24,16 @@ case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech = Tech.Generic) e
     val uart = in Bool ()
     val pad = master(ConsolePadPins())
     val video = master(VideoBus(format))
-    val refused = out UInt (8 bits) // commands of the host
+    val refused = out UInt (8 bits) // refused commands of the host
   }
   val uart = UartCtrl(UartCtrlInitConfig(config.baud, 7, UartParityType.NONE, UartStopType.ONE), readonly = true)
   val clockMHz = ClockDomain.current.frequency.getValue.toDouble / 1e6
 
-  /** The receiver looks eight times a bit. */
+  /** The receiver samples eight times per bit. */
   val looks = clockMHz * 1e6 / config.baud / 8
   require(
     (looks / looks.floor - 1).abs < 0.01,
-    s"${config.baud} baud at $clockMHz MHz: $looks clocks from look to look are not near a whole number"
+    s"${config.baud} baud at $clockMHz MHz: $looks cycles from sample to sample are not near an integer"
   )
   val host = VoxelHost(voxel, rules, silence = (clockMHz * VoxelHostCommand.SilenceMicros).toInt)
   val pad = ConsolePad((clockMHz * 1e6).toLong)
@@ -46,12 +46,12 @@ case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech = Tech.Generic) e
   }.out
   val starts = scan.io.blank.rise(False)
   val blank = RegNext(starts, False)
-  val editing = RegInit(False) // a block for the host
+  val editing = RegInit(False) // an edit of the host is in progress
 
   /** A picture is drawn from one blank to, at the latest, the next but one. */
   val turn = new Area {
     val drawn, waiting, playing = RegInit(False)
-    val byHost, highlight = RegInit(False) // whose camera it is, and what else the host wants
+    val byHost, highlight = RegInit(False) // whose camera it is, and what else the host requests
     val swap = blank && drawn && !pipeline.io.busy && !playing
     val go = waiting && !editing
     waiting setWhen (blank && !pipeline.io.busy && !playing) clearWhen go
@@ -79,14 +79,14 @@ case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech = Tech.Generic) e
 
   uart.io.uart.rxd := io.uart
   // What passes comes to the host a cycle later, and what it does a cycle after that, so halting begins two cycles
-  // before the turn. Only an edit that waits makes the host hold a byte for longer, and then it is the first one of a
-  // command and changes nothing.
+  // before the update. Only an edit that waits stalls a byte for longer, and then it is the first one of a command and
+  // changes nothing.
   uart.io.read.queue(
     VoxelConsole.Bytes
   ).haltWhen(turn.playing || turn.waiting || starts || blank).m2sPipe() >> host.io.bytes
   io.refused := host.io.refused
 
-  /** Edits, one at a time: the host's between pictures, the player's in its turn. Whichever is at work reads the
+  /** Edits, one at a time: the host's between pictures, the player's when it is updated. The one that is busy reads the
     * memory.
     */
   val change = new Area {
@@ -142,7 +142,7 @@ case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech = Tech.Generic) e
     val shown = RegNextWhen(tens ## ones, second.willOverflow) init 0
   }
 
-  /** What is written over a picture is shown with it: of the player's, unless the camera is the host's. */
+  /** The text over a picture is shown with it, unless the camera is the host's. */
   val marks = new Area {
     val mine = RegNextWhen(!turn.byHost, pipeline.io.start, False)
     val item = RegNextWhen(RegNextWhen(player.io.item, pipeline.io.start), turn.swap) init 0
@@ -166,9 +166,9 @@ case class VoxelConsole(config: VoxelConsoleConfig, tech: Tech = Tech.Generic) e
 
 object VoxelConsole {
 
-  /** Edits that wait while a picture is drawn; what comes when all are taken is lost and counted as refused. */
+  /** Edits that wait while a picture is drawn; further ones are lost and counted as refused. */
   val Edits = 512
 
-  /** Bytes that wait for the player's turn. */
+  /** Bytes that wait until the player is updated. */
   val Bytes = 64
 }

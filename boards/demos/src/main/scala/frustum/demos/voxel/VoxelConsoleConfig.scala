@@ -30,9 +30,10 @@ final case class VoxelConsoleConfig(
   val scale: Int = (1 to 3)
     .find(s => mode.width == voxel.width << s && mode.height == voxel.height << s)
     .getOrElse(throw new IllegalArgumentException(
-      s"requirement failed: a picture of ${voxel.width} x ${voxel.height} is not half, a quarter or an eighth of ${mode.name}"
+      s"requirement failed: a picture of ${voxel.width} x ${voxel.height} is not half, a quarter or an eighth of " +
+        s"${mode.name}"
     ))
-  require(divider >= 4, s"a monitor's pixel every $divider clocks; a frame buffer's answer takes 4")
+  require(divider >= 4, s"a monitor's pixel every $divider cycles; a read of the frame buffer takes 4")
 
   val format: ColorFormat = color.format
 

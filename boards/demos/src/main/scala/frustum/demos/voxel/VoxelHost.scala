@@ -5,10 +5,10 @@ import frustum.voxel.march.CameraPort
 import spinal.core._
 import spinal.lib._
 
-/** Takes a host's commands, see [[frustum.contract.voxel.VoxelHostCommand]], and gives edits, cameras and places for the player.
-  * A command with a wrong checksum, an unknown opcode, one cut short, an edit outside the world, an id that is none, an
-  * eye or a place out of range change nothing and are counted. Bytes wait while an edit does; cameras and places come a
-  * cycle after their last byte.
+/** Takes a host's commands, see [[frustum.contract.voxel.VoxelHostCommand]], and gives edits, cameras and places for
+  * the player. A command with a wrong checksum, an unknown opcode, one cut short, an edit outside the world, an unknown
+  * id, an eye or a place out of range change nothing and are counted. Bytes wait while an edit does; cameras and places
+  * come a cycle after their last byte.
   *
   * @param silence cycles after which the next byte begins a command
   */
@@ -18,9 +18,9 @@ case class VoxelHost(config: VoxelConfig, rules: VoxelRules, silence: Int) exten
     val bytes = slave(Stream(Bits(8 bits)))
     val edit = master(Stream(HostEdit(config)))
     val camera = master(Flow(CameraPort(config)))
-    val highlight = out Bool () // with the camera
+    val highlight = out Bool () // valid with the camera
     val pose = master(Flow(VoxelPose(config)))
-    val refused = out UInt (8 bits) // stays at its end
+    val refused = out UInt (8 bits) // refused commands; saturates
   }
   val framing = HostFraming(bytesOf, silence)
   val opcode = framing.io.opcode
@@ -43,7 +43,7 @@ case class VoxelHost(config: VoxelConfig, rules: VoxelRules, silence: Int) exten
   for ((field, n) <- fields.zipWithIndex) field := number(n, 15).resized
   val cameraAllowed = RegNext((0 to 2).map(n => VoxelHost.eyeFits(config, number(n, 15))).reduce(_ && _))
   val cameraDone = False
-  io.camera.valid := RegNext(cameraDone) init False // the payload stays until the second byte that comes
+  io.camera.valid := RegNext(cameraDone) init False // the payload is stable until the second byte after it
   io.highlight := opcode === Highlight
 
   private val pose = Vec((0 until 5).map(number(_, 5)))

@@ -8,12 +8,12 @@ import spinal.core._
 import spinal.lib._
 import spinal.lib.fsm._
 
-/** A player in a world of blocks. At `frame` it takes the buttons: what they do to the block that is pointed at is
-  * asked for by `edit`, which is ready when the world has it; then the player turns and moves, axis by axis, unless in
-  * the way there is a block that can be pointed at; last, the camera of its eye is made. `done` pulses when all that
-  * holds, some 600 cycles after the edit. The model is `frustum.model.demos.voxel.VoxelPlayer`.
+/** A player in a world of blocks. At `frame` it takes the buttons: the change of the selected block is requested by
+  * `edit`, which is ready when it is made. Then the player turns and moves, axis by axis, unless a selectable block is
+  * in the path. Last, the camera of its eye is computed. `done` pulses about 600 cycles after the edit. The model is
+  * `frustum.model.demos.voxel.VoxelPlayer`.
   *
-  * `place` puts the player somewhere, `load` replaces the camera until the next frame; neither may come during a frame.
+  * `place` sets the player's place, `load` replaces the camera until the next frame; neither may come during a frame.
   */
 case class VoxelPlayer(
     config: VoxelConfig,
@@ -32,7 +32,7 @@ case class VoxelPlayer(
     val read = master(WorldReadBus(config))
     val edit = master(Stream(BlockEdit(config)))
     val pose = out(VoxelPose(config))
-    val rise = out SInt (10 bits) // 1/256 block a picture, up is positive
+    val rise = out SInt (10 bits) // 1/256 block per picture, up is positive
     val item = out UInt (BlockTable.IdBits bits)
     val refused = out UInt (RefuseBits bits)
     val camera = out(CameraPort(config))
@@ -58,10 +58,10 @@ case class VoxelPlayer(
   val probe = BodyProbe(config, kinds)
   probe.io.read <> io.read
   probe.io.start := False
-  val to = Reg(Vec(SInt(width bits), 3)) // where the player would like to be
+  val to = Reg(Vec(SInt(width bits), 3)) // the place after the next leg
   probe.io.feet := to
 
-  /** One state after the other, those from `move` to `probes` once a leg: along x, along y, a look at what is below,
+  /** One state after the other, those from `move` to `probes` once a leg: along x, along y, a probe of what is below,
     * and up or down.
     */
   val fsm = new StateMachine {
@@ -163,8 +163,8 @@ case class VoxelPlayer(
   private def turned(plus: Bool, minus: Bool, step: Int): SInt =
     (VoxelButtons.both(plus, minus) * S(step, 5 bits)).resize(AngleBits)
 
-  val stuck = Reg(Bool()) // in a block already
-  val stands = Reg(Bool()) // on a block
+  val stuck = Reg(Bool()) // the body touches a block before it moves
+  val stands = Reg(Bool()) // the body is on a block
   val inRange = RegNext((0 to 2).map { k =>
     val (low, high) = rules.range(k)
     to(k) >= low && to(k) <= high

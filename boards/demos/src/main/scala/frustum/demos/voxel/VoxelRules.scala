@@ -18,7 +18,9 @@ final case class VoxelRules(
   import VoxelRules._
   require(items >= 1 && items <= BlockTable.Most, s"$items items; 1 to ${BlockTable.Most} are supported")
 
-  /** Least and greatest of the feet along an axis: the eye stays where the hardware takes it, the feet on or above the world's floor. */
+  /** Least and greatest of the feet along an axis: the eye stays in the range of the hardware, the feet on or above the
+    * world's floor.
+    */
   def range(axis: Int): (Int, Int) = {
     val around = (VoxelConfig.Around - 2) << 8
     val end = (size.axes(axis) << 8) + around
@@ -41,7 +43,7 @@ object VoxelRules {
   val HalfWidth = 77
   val RefuseBits = 8
 
-  /** A count of refusals stays at its end. */
+  /** The count of refusals saturates. */
   val MostRefused: Int = (1 << RefuseBits) - 1
 
   /** From the feet, along an axis, to the body's first place and to the one behind its last. */

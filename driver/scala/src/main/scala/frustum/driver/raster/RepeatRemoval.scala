@@ -12,9 +12,9 @@ import scala.math.{ceil, floor}
   * different offsets must be sent twice. A mirrored texture repeats after two, so offsets are even; a clamped
   * one never: no offset.
   *
-  * A triangle for which there is no such offset is cut first, at the middle of each edge that has too many repeats. Whether
-  * an edge is cut, and where, depends on its two ends alone, so neighbours with the same coordinates along it meet in the
-  * new vertex.
+  * A triangle for which there is no such offset is cut first, at the middle of each edge that has too many repeats.
+  * Whether an edge is cut, and where, depends on its two ends alone, so neighbours with the same coordinates along it
+  * meet in the new vertex.
   */
 object RepeatRemoval {
 

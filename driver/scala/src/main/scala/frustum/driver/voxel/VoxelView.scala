@@ -36,7 +36,8 @@ final case class VoxelView(eye: Vector3, yaw: Double, pitch: Double, focal: Doub
     )
     val longest = 1 << c.slopeBits - 2
     if (focal > longest) throw InputError(
-      s"--focal $focal: rays with slopes of ${c.slopeBits} bits pass their pixels by up to a quarter of one at $longest; reduce --focal"
+      s"--focal $focal: rays with slopes of ${c.slopeBits} bits pass their pixels by up to a quarter of one at " +
+        s"$longest; reduce --focal"
     )
     def fixed(v: Vector3, bits: Int) = {
       def round(x: Double) = (x * (1 << bits)).round.toInt

@@ -1,6 +1,6 @@
 package frustum.contract.arithmetic
 
-/** A point or direction of a ray-cast scene, in whole units. */
+/** A point or direction of a ray-cast scene, in integer units. */
 case class IntVector(x: Int, y: Int, z: Int) {
   def apply(axis: Int): Int = Seq(x, y, z)(axis)
   def axes: Seq[Int] = Seq(x, y, z)

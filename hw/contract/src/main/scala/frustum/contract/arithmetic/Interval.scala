@@ -1,6 +1,6 @@
 package frustum.contract.arithmetic
 
-/** Whole numbers from `low` to `high`; the arithmetic by which ranges and widths are proved. */
+/** Integers from `low` to `high`; the arithmetic by which ranges and widths are proved. */
 case class Interval(low: BigInt, high: BigInt) {
   require(low <= high, s"interval from $low to $high")
   def +(o: Interval): Interval = Interval(low + o.low, high + o.high)
@@ -14,7 +14,7 @@ case class Interval(low: BigInt, high: BigInt) {
     Interval(if (low <= 0 && high >= 0) 0 else (low * low).min(high * high), most)
   }
 
-  /** What lies in both. */
+  /** The intersection. */
   def within(o: Interval): Interval = Interval(low.max(o.low), high.min(o.high))
   def contains(v: BigInt): Boolean = low <= v && v <= high
 

@@ -28,10 +28,10 @@ object ReciprocalTable {
     scala.math.round(8 * (from + lineError / 2 + 0.5) + 0.25).toInt
   }
 
-  /** The table as it lies in one memory of 32 bits, the base above the slope. */
+  /** The table in one memory of 32 bits, the base above the slope. */
   def lines: Seq[Long] = (0 until size).map(i => base(i).toLong << SlopeBits | slope(i))
 
-  /** The table as it lies in two memories of 16 bits. */
+  /** The table in two memories of 16 bits. */
   def slopeWords: Seq[Int] = (0 until size).map(i => (base(i) & 7) << SlopeBits | slope(i))
   def baseWords: Seq[Int] = base.toSeq.map(_ >> 3)
 

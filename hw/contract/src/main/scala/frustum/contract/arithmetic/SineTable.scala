@@ -3,7 +3,7 @@ package frustum.contract.arithmetic
 import java.lang.Math.floorMod
 import scala.math.{Pi, round, sin}
 
-/** Sines of 1/1024 turns, 16 fraction bits, rounded: a quarter of them is kept. */
+/** Sines of 1/1024 turns, 16 fraction bits, rounded: a quarter of a turn is stored. */
 object SineTable {
 
   /** Bits of an angle: 1/1024 turn. */
@@ -12,10 +12,10 @@ object SineTable {
   val FractionBits = 16
   val IndexBits = AngleBits - 2
 
-  /** With the sign, for 1 is among them. */
+  /** With the sign and the integer bit of 1. */
   val Width = FractionBits + 2
 
-  /** Of i / 1024 turn. The first that is missing is 1. */
+  /** Of i / 1024 turn. The first one that is not stored is 1. */
   val quarter: IndexedSeq[Int] =
     IndexedSeq.tabulate(1 << IndexBits)(i => round((1 << FractionBits) * sin(Pi / 2 * i / (1 << IndexBits))).toInt)
 

@@ -12,7 +12,7 @@ final case class Part(layout: Layout, repeated: Boolean = false)
   * {{{ 0x7E  opcode  length  payload (2 * length bytes, big-endian words)  crc (2 bytes, big-endian) }}}
   * where after the flag 0x7E every byte 0x7E or 0x7D is sent as 0x7D followed by the byte xor 0x20, so that a flag
   * always starts a command. The checksum is CRC-16/CCITT-FALSE (polynomial 0x1021, start 0xFFFF) over the unescaped
-  * opcode, length and payload. A command whose checksum or length is wrong is dropped and counted, nothing else.
+  * opcode, length and payload. A command whose checksum or length is wrong is dropped and counted.
   */
 object Command {
   val Flag = 0x7e
@@ -26,7 +26,8 @@ object Command {
     0x01,
     "begin",
     Seq(Part(BeginLayout)),
-    "Starts a frame, or one pass of it, in a free bank of the store; waits until there is one. One that is refused ends the frame before it all the same."
+    "Starts a frame, or one pass of it, in a free bank of the store; waits until there is one. A refused one ends " +
+      "the frame before it as well."
   )
 
   val State = Command(
@@ -47,21 +48,23 @@ object Command {
     0x04,
     "triangles",
     Seq(Part(TrianglesHeadLayout), Part(TriangleLayout, repeated = true)),
-    "Appends triangles; they are drawn in this order. A triangle that names a vertex not sent in this frame is refused and counted."
+    "Appends triangles; they are drawn in this order. A triangle that names a vertex not sent in this frame is " +
+      "refused and counted."
   )
 
   val Texels = Command(
     0x05,
     "texels",
     Seq(Part(TexelsHeadLayout), Part(TexelLayout, repeated = true)),
-    "Writes texel memory. Waits until no frame is being drawn. Of one that runs beyond the memory, what lies within is written, and it counts as refused."
+    "Writes texel memory. Waits until no frame is being drawn. If the texels exceed the memory, those that fit are " +
+      "written and the command counts as refused."
   )
 
   val Draw = Command(
     0x06,
     "draw",
     Seq(Part(DrawLayout)),
-    "Hands the bank to the rasterizer. Counts that differ from what arrived mark the frame incomplete (counted)."
+    "Starts the rasterizer on the bank. Counts that differ from what arrived mark the frame incomplete (counted)."
   )
 
   val all: Seq[Command] = Seq(Begin, State, Vertices, Triangles, Texels, Draw)

@@ -3,13 +3,13 @@ package frustum.contract.raster
 import frustum.contract.Field
 import SetupWords._
 
-/** What is written into the set-up engine's scratch memory before its programs run, a row a word: a triangle's vertices,
-  * and the small programs of [[FetchProgram.Corner]] and the others.
+/** What is written into the set-up engine's scratch memory before its programs run, a row per word: a triangle's
+  * vertices, and the small programs of [[FetchProgram.Corner]] and the others.
   */
 object FetchProgram {
 
-  /** Where a row's data comes from, a bit of the row each. `Scale` and `Power` are powers of two, all others minuends, from
-    * which the word `origin` is subtracted. `Pixel` is a place in the tile, see [[Column]].
+  /** Sources of a row's data, each with a bit of the row. `Scale` and `Power` are powers of two, all others minuends,
+    * from which the word `origin` is subtracted. `Pixel` is a place in the tile, see [[Column]].
     */
   object Source extends Enumeration {
     val Position, Z, Q, Color, Texture, Area, Pixel, Scale, Power = Value
@@ -22,9 +22,9 @@ object FetchProgram {
   val Column = 0; val Line = 1
   val LastOf = 2; val CoveredOf = 4
 
-  /** @param word   which of the vertex's store words is in hand
+  /** @param word   the current store word of the vertex
     * @param upper  the difference is written times 2^16
-    * @param take   the store word's top byte is done with
+    * @param take   the store word's top byte is no longer needed
     */
   final case class Row(
       from: Source.Value,
@@ -44,8 +44,8 @@ object FetchProgram {
       upper: Boolean = false
   ) {
 
-    /** Bytes of the store word that must be done with before: fields are looked at where the word begins, and texture
-      * coordinates where they lie; of an exponent's word nothing is looked at but the largest exponent of three.
+    /** Bytes of the store word that come before it: fields are read where the word begins, and texture coordinates at
+      * their place; of an exponent's word only the largest exponent of three is read.
       */
     def bytesBefore: Int = if (from == Source.Texture || from == Source.Scale) 0
     else {
@@ -54,8 +54,8 @@ object FetchProgram {
     }
   }
 
-  /** Rows of one vertex: vertex 0's fields, the others' differences. What vertex 0 leaves in a difference's place, vertex 1
-    * overwrites. Of planes that are not wanted nothing is fetched.
+  /** Rows of one vertex: vertex 0's fields, the others' differences. What vertex 0 leaves in a difference's place,
+    * vertex 1 overwrites. Nothing is fetched of planes that are not needed.
     */
   def vertex(v: Int, planes: Seq[Int]): Seq[Row] = {
     val wanted = loads(v, planes)
@@ -71,7 +71,7 @@ object FetchProgram {
     }
   }
 
-  /** What is wanted of vertex `v`. */
+  /** The fields of vertex `v` that are needed. */
   private def loads(v: Int, planes: Seq[Int]): Seq[Load] = {
     import StoredVertex._
     def difference(of: SetupWord) = if (v == 0) Nothing else of
@@ -125,8 +125,8 @@ object FetchProgram {
   /** Rows from here on hold other things. */
   val Rows = 64
 
-  /** Bits of a row: last 1, last of its store word 1, take 1, upper 1, word 3, a bit for each source but `Skip`, origin 7,
-    * target 7.
+  /** Bits of a row: last 1, last of its store word 1, take 1, upper 1, word 3, a bit for each source but `Skip`, origin
+    * 7, target 7.
     */
   val RowBits = 30
 

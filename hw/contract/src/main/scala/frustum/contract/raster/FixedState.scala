@@ -7,11 +7,11 @@ import frustum.contract.Field
   * @param mask  the bits, @param value their values, 0 elsewhere
   */
 final case class FixedBits(mask: Int, value: Int) {
-  require((value & ~mask) == 0, s"fixed bits: value $value has bits outside of its mask $mask")
+  require((value & ~mask) == 0, s"fixed bits: value $value has bits outside its mask $mask")
 }
 
-/** What of a [[RenderState]] hardware holds constant, so that nothing is built for what no state of a scene asks for.
-  * States that differ in such a bit are refused.
+/** The bits of a [[RenderState]] that are constant in hardware, so that nothing is built for what no state of a scene
+  * uses. States that differ in such a bit are refused.
   *
   * @param constants by the name of a field of [[RenderStateLayout]]; fields without a constant bit are not among them
   */
@@ -40,7 +40,7 @@ final case class FixedState(constants: Map[String, FixedBits]) {
   def without(feature: String): FixedState =
     FixedState(constants -- FixedState.features.toMap.apply(feature).map(_.name))
 
-  /** Attribute planes that some state can make a difference with. */
+  /** Attribute planes that some state uses. */
   def planes: Seq[Int] = {
     import SetupWords._
     val none = Seq(
@@ -52,22 +52,23 @@ final case class FixedState(constants: Map[String, FixedBits]) {
     AllPlanes.diff(none)
   }
 
-  /** Nothing can be chosen: there is one state, and no need to keep it. */
+  /** Nothing can be chosen: there is one state, which is not stored. */
   def whole: Boolean = fields.forall(isConstant)
 
-  /** All states show the texel as it is, and nobody asks for its alpha. */
+  /** All states show the texel unchanged and none uses alpha. */
   def texelsAlone: Boolean = is(CombineMode, Combine.Replace.code) && !planes.contains(SetupWords.PlaneA)
 
-  /** No fragment's fate depends on what is in the tile's memories. */
+  /** Whether a fragment passes does not depend on the tile's memories. */
   def neverReads: Boolean = neverBlends && !planes.contains(SetupWords.PlaneZ)
 
   /** No state blends. */
   def neverBlends: Boolean = is(Blend, 0)
 
   /** Whether the hardware takes a state of these words of the wire. */
-  def accepts(words: Seq[Int]): Boolean = !fields.exists(differs(words))
+  def accepts(words: Seq[Int], layout: StateLayout = RenderStateLayout): Boolean =
+    !layout.fields.exists(differs(words))
 
-  /** What keeps the hardware from drawing with a state, or None. */
+  /** Why the hardware cannot draw with a state, or None. */
   def fault(s: RenderState): Option[String] = {
     val wanting = FixedState.features.collect { case (name, fields) if fields.exists(differs(s.words)) => name }
     if (wanting.isEmpty) None else Some("needs another " + wanting.mkString(", "))
@@ -92,7 +93,7 @@ object FixedState {
   def fields(values: (String, Int)*): FixedState =
     FixedState(values.map { case (name, value) => name -> FixedBits(RenderStateLayout(name).ones, value) }.toMap)
 
-  /** What these states agree in. */
+  /** The bits that are equal in these states. */
   def of(states: RenderState*): FixedState = {
     require(states.nonEmpty, "FixedState: of no states")
     val words = states.map(_.words)

@@ -1,6 +1,6 @@
 package frustum.contract.raster
 
-/** A triangle of a frame: three vertex indices and a render state. Drawn when v0, v1, v2 turn clockwise on the screen. */
+/** A triangle of a frame: three vertex indices and a render state. Drawn if v0, v1, v2 are clockwise on the screen. */
 final case class PackedTriangle(state: Int, v0: Int, v1: Int, v2: Int) {
 
   /** The words of the wire, as [[TriangleLayout]] has them; the command that they are part of names the state. */
@@ -20,8 +20,8 @@ object TileRegion {
   def whole(c: RasterConfig): TileRegion = TileRegion(0, 0, c.tilesX - 1, c.tilesY - 1)
 }
 
-/** What one `begin` .. `draw` sequence makes the hardware draw: a frame, or the part of a frame inside `region`.
-  * Several passes with disjoint regions make up a frame that exceeds the store.
+/** What one `begin` .. `draw` sequence draws: a frame, or the part of a frame inside `region`. Several passes with
+  * disjoint regions make up a frame that exceeds the store.
   *
   * @param clearColor RGB565; every pixel of the region starts from it, and from the farthest depth
   */

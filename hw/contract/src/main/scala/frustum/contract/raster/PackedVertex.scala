@@ -26,10 +26,10 @@ final case class PackedVertex(
     a: Int
 ) {
 
-  /** What keeps the hardware from accepting this vertex, or None. The decoder makes the same test at its door. */
+  /** Why the hardware refuses this vertex, or None. The decoder makes the same checks. */
   def fault: Option[String] = fault(VertexRanges())
 
-  /** The same for hardware made for these ranges. */
+  /** The same for hardware built for these ranges. */
   def fault(ranges: VertexRanges): Option[String] =
     if (x.abs > ranges.maxXy || y.abs > ranges.maxXy)
       Some(s"position ($x, $y)/16 is beyond +-${ranges.maxXy}/16 pixels")
@@ -63,10 +63,10 @@ final case class PackedVertex(
 object PackedVertex {
   def WireWords: Int = VertexLayout.words
 
-  /** 1/16 pixel units: vertices lie strictly within +-1024 pixels of the screen's top left corner. */
+  /** 1/16 pixel units: vertices are strictly within +-1024 pixels of the screen's top left corner. */
   val MaxXy = 16383
 
-  /** Texture coordinates lie strictly within +-128 repeats, so that a triangle spans up to 256. */
+  /** Texture coordinates are strictly within +-128 repeats, so that a triangle spans up to 256. */
   val MaxSt = (128 << 16) - 1
 
   def decode(w: Seq[Int]): PackedVertex = {
@@ -87,7 +87,7 @@ object PackedVertex {
     )
   }
 
-  /** 1/w as mantissa and exponent, rounded to nearest; w must lie in [[Domain.MinW]]..[[Domain.MaxW]]. */
+  /** 1/w as mantissa and exponent, rounded to nearest; w must be in [[Domain.MinW]]..[[Domain.MaxW]]. */
   def reciprocalW(w: Double): (Int, Int) = {
     require(w >= Domain.MinW && w <= Domain.MaxW, s"w = $w is outside ${Domain.MinW}..${Domain.MaxW}")
     val e = java.lang.Math.getExponent(1 / w)

@@ -1,10 +1,10 @@
 package frustum.contract.raster
 
 /** Lowest bits that attribute planes go without from pixel to pixel, of the formats of
-  * `frustum.raster.InterpolatedFragment`. A bit less is a bit less of an adder, of its register and of what follows.
+  * `frustum.raster.InterpolatedFragment`. Each bit less saves a bit of an adder, of its register and of what follows.
   *
   * @param coordinate of s/w, t/w (23 fraction bits) and 1/w (31)
-  * @param inverse    of 1/w besides
+  * @param inverse    of 1/w in addition
   * @param depth      of depth (15 fraction bits)
   * @param color      of red, green, blue and alpha (7 fraction bits)
   */

@@ -6,11 +6,11 @@ import frustum.contract.video.ScreenTiles
   *
   * @param width,height screen, pixels; the frame is drawn tile by tile, so any size costs the same memory
   * @param tileLog2Width,tileLog2Height tile, 2^n pixels a side
-  * @param fixed   what of a render state cannot be chosen, and is not built
+  * @param fixed   the constant part of a render state, for which nothing is built
   * @param formats bits that attribute planes go without
   * @param ranges  of the vertices' numbers
   * @param slots   triangles that stay set up from tile to tile
-  * @param clearColor RGB565, if frames begin with this alone; hardware keeps none
+  * @param clearColor RGB565, if all frames begin with this one; hardware then keeps none
   */
 final case class RasterConfig(
     width: Int = 240,
@@ -50,7 +50,7 @@ final case class RasterConfig(
     width <= (1 << ranges.position) && height <= (1 << ranges.position),
     s"screen of $width x $height, positions below 2^${ranges.position} pixels"
   )
-  require(clearColor.forall(c => c >= 0 && c <= 0xffff), s"clear colour $clearColor is no RGB565")
+  require(clearColor.forall(c => c >= 0 && c <= 0xffff), s"clear colour $clearColor is not RGB565, 0..65535")
   require(slots >= 3 && slots <= 6, s"$slots slots; from 3 (two are drawn, one is set up) to 6")
   require(textureTexels >= 64 && textureTexels <= 32768, s"$textureTexels texels: 64..32768")
 }

@@ -2,7 +2,7 @@ package frustum.contract.raster
 
 import frustum.contract.ValidFor
 
-/** Where the methods of the rasterizer and its driver keep their promises. */
+/** Ranges within which the methods of the rasterizer and its driver keep their error bounds. */
 object RasterDomains {
   private val Wide = 1e6
 

@@ -52,11 +52,11 @@ final case class TextureRef(base: Int, log2Width: Int, log2Height: Int, format: 
 }
 object TextureRef {
 
-  /** Of a side, which the state's word gives as what it has more. */
+  /** log2 of the least side; the state's word has the difference from it. */
   val LeastLog2 = 3
 }
 
-/** Everything the fragment stages need to know of a triangle; on the wire a [[RenderStateLayout]].
+/** Everything that the fragment stages need of a triangle; on the wire a [[RenderStateLayout]].
   *
   * @param alphaRef a fragment passes the alpha test when its five-bit alpha is at least this; 0 turns the test off
   * @param blend    source-alpha blending: source * alpha + destination * (1 - alpha)
@@ -74,7 +74,7 @@ final case class RenderState(
   require(alphaRef >= 0 && alphaRef < 32, s"alpha reference $alphaRef is outside 0..31")
   require(texture.isDefined || combine == Combine.ColorOnly, s"$combine needs a texture")
 
-  /** The words of the wire; without a texture, the fields that tell of one are 0. */
+  /** The words of the wire; without a texture, the fields of a texture are 0. */
   def words: Seq[Int] = {
     import RenderStateLayout._
     def ofTexture(of: TextureRef => Int) = texture.fold(0)(of)
@@ -100,14 +100,14 @@ object RenderState {
   /** States that the store holds. */
   val Count = 16
 
-  /** The state of these words of the wire. What names no texture has none where none is needed.
+  /** The state of these words of the wire. If the fields of a texture are 0 and none is needed, there is none.
     *
-    * Throws IllegalArgumentException for a code that stands for nothing.
+    * Throws IllegalArgumentException for a code without a meaning.
     */
   def decode(w: Seq[Int]): RenderState = {
     import RenderStateLayout._
     def coded[A](field: Field, all: Seq[A])(code: A => Int): A = all.find(code(_) == field.of(w)).getOrElse(
-      throw new IllegalArgumentException(s"render state: ${field.of(w)} is no code of ${field.name}")
+      throw new IllegalArgumentException(s"render state: ${field.of(w)} is not a code of ${field.name}")
     )
     val combine = coded(CombineMode, Combine.all)(_.code)
     val unnamed = combine == Combine.ColorOnly && Seq(TextureBase, Log2Width, Log2Height, Format).forall(_.of(w) == 0)

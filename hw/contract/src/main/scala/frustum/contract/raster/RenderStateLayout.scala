@@ -3,10 +3,17 @@ package frustum.contract.raster
 import frustum.contract.{Field, Layout}
 import scala.collection.immutable.ListMap
 
-/** A render state on the wire, see [[RenderState]]. A field more, in a word more where there is no room, is all that the
-  * store, the link and the hardware's state need to hold it.
+/** The words of a render state on the wire. Link and store move them in pairs, so their number is even: where the
+  * fields need an odd number, a spare word follows.
   */
-object RenderStateLayout extends Layout("render state", wordBits = 16) {
+abstract class StateLayout(name: String) extends Layout(name, wordBits = 16) {
+  override def words: Int = (super.words + 1) / 2 * 2
+}
+
+/** A render state on the wire, see [[RenderState]]. A new field is added here alone, in a further word where there is
+  * no room: link, store and hardware read this table.
+  */
+object RenderStateLayout extends StateLayout("render state") {
   private def codes(all: (Int, String)*) = all.map { case (code, name) => s"$code $name" }.mkString(", ")
   private val wraps = codes(Wrap.all.map(w => w.code -> w.toString.toLowerCase): _*)
   private val formats = codes(TexelFormat.all.map(f => f.code -> f.toString.toUpperCase): _*)
@@ -35,8 +42,10 @@ object RenderStateLayout extends Layout("render state", wordBits = 16) {
 }
 
 /** A render state in the scene store: the words of the wire in pairs. */
-object StoredState extends Layout("stored render state", wordBits = 32) {
+class StoredStateLayout(val wire: StateLayout) extends Layout("stored render state", wordBits = 32) {
 
-  /** Of a field of the wire's. */
-  val of: ListMap[Field, Field] = ListMap.from(RenderStateLayout.fields.map(f => f -> add(f.paired)))
+  /** The stored field of each field on the wire. */
+  val of: ListMap[Field, Field] = ListMap(wire.fields.map(f => f -> add(f.paired)): _*)
 }
+
+object StoredState extends StoredStateLayout(RenderStateLayout)

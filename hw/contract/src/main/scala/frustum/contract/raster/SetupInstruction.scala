@@ -1,9 +1,9 @@
 package frustum.contract.raster
 
-/** One instruction of the set-up engine: a multiply-accumulate of two scratch words, and what becomes of the sum.
+/** One instruction of the set-up engine: a multiply-accumulate of two scratch words, and the use of the sum.
   *
   * With words of 32 signed bits, `accumulator = start +- floor(a * b / 2^16)`, 48 bits, wrapping. An instruction takes
-  * two clocks; a result can be read by the fourth instruction after it ([[SetupInstruction.ResultLatency]]).
+  * two cycles; a result can be read by the fourth instruction after it ([[SetupInstruction.ResultLatency]]).
   *
   * Where `a` is `Left`, `Right` is read in its place if that makes the product larger, with `far`, or smaller, without;
   * where `a` is `Top`, with `far`, `Bottom` if that makes it larger.
@@ -33,8 +33,8 @@ object SetupInstruction {
   /** [[Round]], or [[Zero]] where the triangle is a sliver. */
   case object RoundGradient extends Start(3)
 
-  /** Where the accumulator goes. Integers are bits 31..0, fractions (of 30 places) bits 45..14, gradients fractions
-    * or, where the triangle is a sliver, integers.
+  /** The destination of the accumulator. Integers are bits 31..0, fractions (of 30 places) bits 45..14, gradients
+    * fractions or, where the triangle is a sliver, integers.
     */
   sealed abstract class Result(val code: Int) {
 
@@ -63,8 +63,8 @@ object SetupInstruction {
     */
   final case class Edge(edge: Int) extends Result(7)
 
-  /** Bits of an instruction word: far 1, a is `Top` 1, a is `Left` 1, result code 3, target 7, start 2, subtract 1, b 7, a 7.
-    * Words are named by [[SetupMemory.code]].
+  /** Bits of an instruction word: far 1, a is `Top` 1, a is `Left` 1, result code 3, target 7, start 2, subtract 1, b
+    * 7, a 7. Words are named by [[SetupMemory.code]].
     */
   val WordBits = 30
   def encode(i: SetupInstruction, memory: SetupMemory): Int = {

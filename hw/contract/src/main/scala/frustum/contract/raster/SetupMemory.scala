@@ -2,13 +2,13 @@ package frustum.contract.raster
 
 import SetupWord._
 
-/** Places of the set-up's words in the scratch memory of [[SetupProgram]] and [[FetchProgram]] for these planes: those of a
-  * triangle's slot one after the other, and among those that all slots share first the constants, then the others, which
-  * share places where they are not needed at once.
+/** Places of the set-up's words in the scratch memory of [[SetupProgram]] and [[FetchProgram]] for these planes: those
+  * of a triangle's slot one after the other, and among those that all slots share first the constants, then the others,
+  * which share places where they are not needed at once.
   *
   * A word is needed from the step that writes it first to the one that reads it last, with everything between them, in
-  * the order in which a triangle is set up and moved to a tile. A step's result lands after its operands were read, and
-  * results land in order, so that a word may take the place of one that the same step reads last.
+  * the order in which a triangle is set up and moved to a tile. A step's result is written after its operands were
+  * read, and results are written in order, so that a word may take the place of one that the same step reads last.
   */
 final case class SetupMemory(planes: Seq[Int]) {
   private val slot = SetupWords.all.filter(_.kind match {
@@ -27,7 +27,7 @@ final case class SetupMemory(planes: Seq[Int]) {
   val sharedWords: Int = shared.values.max + 1
   require(slotWords.max(sharedWords) <= (1 << SetupMemory.CodeBits) / 2, s"$slotWords and $sharedWords words: too many")
 
-  /** Hardware's name of a word: a flag for shared ones, then the place in the slot or among them. */
+  /** The code of a word in hardware: a flag for shared ones, then the place in the slot or among them. */
   def code(word: SetupWord): Int = slotPlace.getOrElse(
     word,
     1 << (SetupMemory.CodeBits - 1) | shared.getOrElse(
@@ -42,7 +42,9 @@ final case class SetupMemory(planes: Seq[Int]) {
     (0 until sharedWords).map(values.getOrElse(_, 0))
   }
 
-  /** Those that begin first are placed first, each in the lowest place that is free: for intervals no way takes fewer. */
+  /** Those that begin first are placed first, each in the lowest place that is free: for intervals this needs the
+    * fewest places.
+    */
   private def allocate(): Map[SetupWord, Int] = {
     final case class Group(words: Seq[SetupWord]) {
       val (from, to) = (words.map(lives(_)._1).min, words.map(lives(_)._2).max)
@@ -99,7 +101,7 @@ object SetupMemory {
       val at = own.map(_._2)
       val (first, last) = (at.map(_._1).min, at.map(_._1).max)
       require(at.contains((first, true)) && !at.contains((first, false)), s"set-up: $word is read before it is written")
-      require(last < setUp.length || first >= setUp.length, s"set-up: $word outlives it outside of the triangle's slot")
+      require(last < setUp.length || first >= setUp.length, s"set-up: $word is needed later, but has no slot")
       word -> (first, last)
     }
   }

@@ -4,13 +4,13 @@ import SetupInstruction._
 import SetupWords._
 
 /** The microprograms of triangle set-up. With edge functions E1 (through vertices 2, 0) and E2 (through 0, 1),
-  * barycentric coordinates are lambda_i = E_i / area, and an attribute u is u0 + lambda1 du1 + lambda2 du2 (Pineda 1988;
-  * perspective-correct because s/w, t/w and 1/w are interpolated, Blinn 1992).
+  * barycentric coordinates are lambda_i = E_i / area, and an attribute u is u0 + lambda1 du1 + lambda2 du2 (Pineda
+  * 1988; perspective-correct because s/w, t/w and 1/w are interpolated, Blinn 1992).
   *
-  * Lambdas at the first covered pixel come from exact edge functions, so they lie in 0..1 without cancellation,
-  * however thin the triangle; gradients only carry a plane across one tile.
+  * Lambdas at the first covered pixel come from exact edge functions, so they are in 0..1 without cancellation, however
+  * thin the triangle; gradients are used within one tile only.
   *
-  * @param planes that are wanted; the others' values mean nothing
+  * @param planes that are needed; the others' values are undefined
   */
 final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
   private def textured = planes.contains(PlaneQ)
@@ -26,7 +26,9 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
     macn(DY1_16, DX2, to = Integer(Area))
   )
 
-  /** 1/area by Newton-Raphson, x := x + x (1 - d x), three steps from a guess that is 1/17 off; meanwhile 1/w, s/w, t/w. */
+  /** 1/area by Newton-Raphson, x := x + x (1 - d x), three steps from a guess with an error of 1/17; meanwhile 1/w,
+    * s/w, t/w.
+    */
   val attributes: Seq[SetupInstruction] = {
     val x = Reciprocal
     val newton = Seq(
@@ -63,7 +65,8 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
       normal ++ newton.drop(2) ++ texture(products(t, PlaneT)) ++ newton.take(2) ++ texture(inverseW) ++ newton.drop(2)
   }
 
-  /** Gradients of the edge functions, 16 A and 16 B, shifted like the area; they show whether the triangle is a sliver. */
+  /** Gradients of the edge functions, 16 A and 16 B, shifted like the area; they show whether the triangle is a sliver.
+    */
   val steps: Seq[SetupInstruction] =
     Seq(DY2_16, DX2_16, DY1_16, DX1_16).zip(Steps).map { case (from, to) => mac(from, Shift4, Zero, Checked(to)) }
 
@@ -85,7 +88,7 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
     }
   }
 
-  /** The three edge functions where they are largest in the tile, which is passed over if one is negative there; then at
+  /** The three edge functions where they are largest in the tile, which is skipped if one is negative there; then at
     * the tile's upper corner from which each edge's walk starts. An edge's products have its steps as `b`.
     */
   val edges: Seq[SetupInstruction] = for {
@@ -114,14 +117,14 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
     Seq(mac(value(p), One, Round), mac(delta1(p), Lambda1), mac(delta2(p), Lambda2, to = Initial(p)))
   }
 
-  /** The programs as they lie in the engine's memory, with no-operations where a result is not ready. */
+  /** The programs in the engine's memory, with no-operations where a result is not ready. */
   val sections: Seq[Seq[SetupInstruction]] =
     Seq(area, attributes ++ steps, steps, gradients, edges, rebase).map(schedule)
   val starts: Seq[Int] = sections.scanLeft(0)(_ + _.length)
   val image: Seq[SetupInstruction] = sections.flatten
 
   /** Delays each instruction until its operands are written. Waiting is only allowed before an accumulation starts,
-    * because a no-operation would disturb one under way.
+    * because a no-operation would disturb one in progress.
     */
   private def schedule(program: Seq[SetupInstruction]): Seq[SetupInstruction] = {
     val groups = program.foldLeft(Vector.empty[Vector[SetupInstruction]]) { (done, i) =>

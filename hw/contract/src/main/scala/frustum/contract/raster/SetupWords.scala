@@ -5,7 +5,7 @@ import scala.collection.mutable.ArrayBuffer
 /** A word that the programs of the set-up name; [[SetupMemory]] gives it a place.
   *
   * @param index    its number among all words
-  * @param kind     where it lies
+  * @param kind     where it is stored
   */
 final class SetupWord(val name: String, val index: Int, val kind: SetupWord.Kind) {
   override def toString: String = name
@@ -17,7 +17,7 @@ object SetupWord {
   /** In the triangle's slot, kept while the triangle is cached. */
   case object Slot extends Kind
 
-  /** In the slot where this plane is wanted. */
+  /** In the slot where this plane is needed. */
   final case class OfPlane(plane: Int) extends Kind
 
   /** Shared by all slots, needed during one set-up or one move to a tile. */
@@ -43,8 +43,8 @@ object SetupWords {
 
   val Planes = 8
 
-  // The slot. Positions in 1/16 pixel; "16" marks values held times 2^16, so that a product with a plain integer is a
-  // plain integer.
+  // The slot. Positions in 1/16 pixel; names with "16" are of values times 2^16, so that a product with a plain integer
+  // is a plain integer.
   val X0 = slot("X0")
   val Y0 = slot("Y0")
   val DX1_16 = slot("DX1_16")
@@ -87,7 +87,9 @@ object SetupWords {
   /** 2^(30 - (largest exponent - exponent)). */
   val scale = perVertex("scale")
 
-  /** The area shifted to 2^29..2^30, or by [[MaxShift]], with bit 29 set; plus one, so that its reciprocal stays below 2. */
+  /** The area shifted to 2^29..2^30, or by [[MaxShift]], with bit 29 set; plus one, so that its reciprocal stays below
+    * 2.
+    */
   val AreaNormal = shared("AreaNormal")
   val MaxShift = 25
 
@@ -115,7 +117,9 @@ object SetupWords {
   val Top = shared("Top")
   val Bottom = shared("Bottom")
 
-  /** The codes of the second ones are those of the first ones with the last bit set: hardware reads the one or the other. */
+  /** The codes of the second ones are those of the first ones with the last bit set: hardware reads the one or the
+    * other.
+    */
   val pairs: Seq[(SetupWord, SetupWord)] = Seq(Left -> Right, Top -> Bottom)
 
   /** First pixel, times 2^16. */

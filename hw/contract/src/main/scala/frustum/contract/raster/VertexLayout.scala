@@ -20,9 +20,10 @@ object VertexLayout extends Layout("vertex", wordBits = 16) {
   val A = unsigned("a", bits(9, 7, 0), "0 to 255, 255 opaque")
 }
 
-/** A vertex in the scene store: the words of the wire in pairs, without the bits that the accepted range never needs. */
+/** A vertex in the scene store: the words of the wire in pairs, without the bits that the accepted range never needs.
+  */
 object StoredVertex extends Layout("stored vertex", wordBits = 32) {
-  private val coordinateBits = 25 // of a coordinate within +-128 repeats
+  private val coordinateBits = 25 // a coordinate is within +-128 repeats
 
   val X = add(VertexLayout.X.paired)
   val Y = add(VertexLayout.Y.paired)

@@ -2,8 +2,8 @@ package frustum.contract.ray
 
 import frustum.contract.arithmetic.IntVector
 
-/** Ray of pixel (h, v), unnormalised: corner + h right + v down, from `eye`. Integers, so that every decision
-  * on a picture is exact for the camera as it stands here.
+/** Ray of pixel (h, v), unnormalised: corner + h right + v down, from `eye`. Integers, so that every decision on a
+  * picture is exact for this camera.
   */
 case class RayCamera(eye: IntVector, corner: IntVector, right: IntVector, down: IntVector) {
   def vectors: Seq[IntVector] = Seq(eye, corner, right, down)
@@ -13,7 +13,7 @@ case class RayCamera(eye: IntVector, corner: IntVector, right: IntVector, down: 
     IntVector(at(0), at(1), at(2))
   }
 
-  /** All rays lie in one plane, so that there is no picture: corner, right and down depend on each other. */
+  /** All rays are in one plane, so that there is no picture: corner, right and down are linearly dependent. */
   def flat: Boolean = {
     def minor(a: Int, b: Int) = BigInt(right(a)) * down(b) - BigInt(right(b)) * down(a)
     corner(0) * minor(1, 2) + corner(1) * minor(2, 0) + corner(2) * minor(0, 1) == 0
@@ -22,9 +22,9 @@ case class RayCamera(eye: IntVector, corner: IntVector, right: IntVector, down: 
 
 object RayCamera {
 
-  /** Looks along +z with `focal` units to the screen plane, 1 unit a pixel. Directions are doubled, so that
-    * rays through the centres of pixels are whole numbers; `centred` = false takes their lower left corners
-    * (h - width / 2, height / 2 - 1 - v).
+  /** Looks along +z with `focal` units to the screen plane, 1 unit per pixel. Directions are doubled, so that rays
+    * through the centres of pixels are integers; `centred` = false takes their lower left corners (h - width / 2,
+    * height / 2 - 1 - v).
     */
   def forward(
       eye: IntVector,
@@ -44,12 +44,12 @@ object RayCamera {
   }
 }
 
-/** The cameras that a ray caster accepts: each number between that of `low` and that of `high`, a register of the hardware
-  * where they differ, a constant where not.
+/** The cameras that a ray caster accepts: each number between that of `low` and that of `high`, a register of the
+  * hardware where they differ, a constant where not.
   *
   * @param lengths
-  *   least and greatest length of any pixel's ray, which a camera that moves keeps to also one pixel beyond the picture:
-  *   widths are proved from it. None for a constant camera, whose rays are looked at.
+  *   least and greatest length of any pixel's ray, which a camera that moves keeps to also one pixel beyond the
+  *   picture: widths are proved from it. None for a constant camera, whose rays are all known.
   */
 case class RayCameraRange(low: RayCamera, high: RayCamera, lengths: Option[(Int, Int)]) {
   import RayCameraRange.Vectors
@@ -59,7 +59,8 @@ case class RayCameraRange(low: RayCamera, high: RayCamera, lengths: Option[(Int,
     require(l(a) <= h(a), s"camera from $l to $h")
   require(
     !fixed || !low.flat,
-    s"camera: all rays lie in one plane, corner ${low.corner}, right ${low.right}, down ${low.down}; none of the three may be zero or a sum of the others"
+    s"camera: all rays are in one plane, corner ${low.corner}, right ${low.right}, down ${low.down}; none of the " +
+      "three may be zero or a sum of the others"
   )
   require(
     fixed || lengths.exists { case (least, most) => 0 < least && least <= most },

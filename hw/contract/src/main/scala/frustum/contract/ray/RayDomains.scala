@@ -2,7 +2,7 @@ package frustum.contract.ray
 
 import frustum.contract.ValidFor
 
-/** Where the methods of the ray caster keep their promises. */
+/** Ranges within which the methods of the ray caster keep their error bounds. */
 object RayDomains {
   val Root = ValidFor("roots", "root", "argument", 1.0 / 64, 1, 1.6e-3, "of the value")
   val InverseRoot = ValidFor("roots", "inverse-root", "argument", 1.0 / 16, 1, 4e-4, "of the value")

@@ -2,8 +2,8 @@ package frustum.contract.ray
 
 import scala.collection.mutable
 
-/** Places for the words of a [[RayProgramBuilder]]: those in `first` from 0 on, then what keeps its value from frame to frame or
-  * from row to row, then the rest, which share places when they are not needed at once.
+/** Places for the words of a [[RayProgramBuilder]]: those in `first` from 0 on, then what keeps its value from frame to
+  * frame or from row to row, then the rest, which share places when they are not needed at once.
   *
   * @param inputs written before each frame's steps
   */
@@ -25,7 +25,7 @@ class RayMemory(b: RayProgramBuilder, first: Seq[RayWord], inputs: Seq[RayWord])
   private val keeps = kept.toSet
   inputs.foreach(place)
   for ((s, t) <- b.frame.zipWithIndex) {
-    // A multiplication's result grows while its operands are read: it has a place of its own.
+    // A multiplication writes its result while it reads its operands: it has a place of its own.
     val done = Seq(s.a, s.b).distinct.filter(w => last(w) == t && !keeps(w))
     if (s.op == RayStep.Multiply) place(s.to)
     done.foreach(w => free += places(w))

@@ -1,12 +1,14 @@
 package frustum.contract.ray
 
-/** How a wall or a quad is painted. Cells and texels are squares of 2^bits units, counted from the surface's low corner. */
+/** How a wall or a quad is painted. Cells and texels are squares of 2^bits units, counted from the surface's low
+  * corner.
+  */
 sealed trait RayPaint {
 
   /** Cell = 2^cellBits units. */
   def cellBits: Int
 
-  /** Lower bits of the cell's number that are looked at, along the surface's column axis and its row axis. */
+  /** Lower bits of the cell's number that are used, along the surface's column axis and its row axis. */
   def columnBits: Int
   def rowBits: Int
 }
@@ -26,9 +28,9 @@ case class RayChecker(cellBits: Int) extends RayPaint {
   )
 }
 
-/** Nearest texel of an image that repeats: its bottom left corner lies in the surface's low corner.
+/** Nearest texel of an image that repeats: its bottom left corner is the surface's low corner.
   *
-  * @param rgb rows from the top, 24 bits a texel
+  * @param rgb rows from the top, 24 bits per texel
   */
 case class RayImage(width: Int, height: Int, cellBits: Int, rgb: IndexedSeq[Int]) extends RayPaint {
   for (n <- Seq(width, height))

@@ -11,8 +11,8 @@ case class RayPolynomial(c: Seq[RayWord], bound: Interval) {
   require(c.size == 6, s"${c.size} coefficients")
 }
 
-/** Arithmetic on polynomials of the pixel coordinates for `b`. Each result's bound is what follows from the operands' bounds
-  * and what follows from its coefficients, the narrower of both.
+/** Arithmetic on polynomials of the pixel coordinates for `b`. Each result's bound is what follows from the operands'
+  * bounds and what follows from its coefficients, the narrower of both.
   */
 class RayAlgebra(b: RayProgramBuilder, width: Int, height: Int) {
   private val h = Interval(0, width)
@@ -29,7 +29,7 @@ class RayAlgebra(b: RayProgramBuilder, width: Int, height: Int) {
 
   def constant(x: RayWord): RayPolynomial = polynomial(padded(Seq(x)), None)
 
-  /** @param bound of its values, if one is known besides what the coefficients say */
+  /** @param bound of its values, if one is known in addition to that of the coefficients */
   def linear(c0: RayWord, ch: RayWord, cv: RayWord, bound: Option[Interval]): RayPolynomial =
     polynomial(padded(Seq(c0, ch, cv)), bound)
   def scale(p: RayPolynomial, by: RayWord): RayPolynomial =

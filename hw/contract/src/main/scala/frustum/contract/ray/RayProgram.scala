@@ -5,14 +5,14 @@ import frustum.contract.arithmetic.Interval
 /** What the set-up of a ray caster computes, and the forms its pixels are decided by: [[RaySceneForms]].
   *
   * @param size
-  *   words of the memory, of `wordWidth` bits each: whatever a word's range, it is right modulo 2^wordWidth, and no form needs
-  *   more
+  *   words of the memory, of `wordWidth` bits each: a word of any range is exact modulo 2^wordWidth, and no form needs
+  *   more bits
   * @param constants
   *   by address
   * @param inputs
   *   moving coordinates: address of each, with its range
   * @param frame
-  *   steps once a frame, then `row` after every row's load
+  *   steps once per frame, then `row` after every row's load
   * @param loadWords
   *   the first so many words fill the forms' registers, in the forms' order
   */
@@ -30,7 +30,8 @@ case class RayProgram(
   def form(name: String): RayForm = byName(name)
   require(
     wordWidth <= RayProgram.MaxWidth,
-    s"coefficients of the scene need $wordWidth bits, at most ${RayProgram.MaxWidth}: a smaller room, finer units or fewer pixels"
+    s"coefficients of the scene need $wordWidth bits, at most ${RayProgram.MaxWidth}: a smaller room, finer units or " +
+      "fewer pixels"
   )
 }
 
@@ -69,7 +70,7 @@ object RayProgram {
       made :+ RayForm(name, made.lastOption.fold(0)(f => f.first + f.loadWords), s.map(_.constant), r)
     }
     val loadWords = forms.map(_.loadWords).sum
-    val load = Array.fill(loadWords)(new RayWord(Interval(0), None)) // where nothing follows, a gap
+    val load = Array.fill(loadWords)(new RayWord(Interval(0), None)) // a gap where no word follows
     for ((f, s) <- forms.zip(states); i <- 0 until f.loaded) {
       val State(start, slope, curve) = s(i)
       val word = s(i).word

@@ -3,14 +3,14 @@ package frustum.contract.ray
 import frustum.contract.arithmetic.Interval
 import scala.collection.mutable.{ArrayBuffer, HashMap, LinkedHashMap}
 
-/** A number of the set-up, in its memory from when it is computed until it is no more looked at; or a constant. */
+/** A number of the set-up, in its memory from its computation to its last use; or a constant. */
 class RayWord(val range: Interval, val constant: Option[BigInt])
 
 /** Operation on words, before they have addresses. */
 case class RayOperation(op: Int, to: RayWord, a: RayWord, b: RayWord)
 
-/** Collects the operations that make a frame's coefficients, with the range of every word by interval arithmetic. What is
-  * constant is folded, and nothing is computed twice.
+/** Collects the operations that make a frame's coefficients, with the range of every word by interval arithmetic. What
+  * is constant is folded, and nothing is computed twice.
   */
 class RayProgramBuilder {
   val frame = ArrayBuffer[RayOperation]()

@@ -77,8 +77,9 @@ case class RayScene(
     val gap = s.box.nearest(o.box)
     require(
       gap > reach * reach,
-      s"spheres $i and $j may intersect: radii ${s.radius} and ${o.radius}, centres ${s.low} to ${s.high} and ${o.low} to ${o.high} " +
-        s"come as near as the root of $gap, which must exceed ${reach * reach}: move them apart or make them smaller"
+      s"spheres $i and $j may intersect: radii ${s.radius} and ${o.radius}, centres ${s.low} to ${s.high} and " +
+        s"${o.low} to ${o.high} come as near as the root of $gap, which must exceed ${reach * reach}: move them " +
+        "apart or make them smaller"
     )
   }
   for (p <- light; a <- 0 to 2)

@@ -14,8 +14,8 @@ import scala.collection.mutable.ArrayBuffer
   *          (v.S)^2 - |v|^2 (|S|^2 - r^2) >= 0; or the sphere holds the light
   * shade    with w = -S: D.w, b D.w - |D|^2 (o.w + r^2), |D|^2 and |S|^2 - r^2, see [[RayShade]]
   * }}}
-  * All are polynomials of the pixel of at most second degree with whole coefficients, so their signs are exact.
-  * Ranges: by Cauchy's inequality a discriminant b^2 - A c lies between -A c and A r^2, D.w within |D| |w|, and where the
+  * All are polynomials of the pixel of at most second degree with integer coefficients, so their signs are exact.
+  * Ranges: by Cauchy's inequality a discriminant b^2 - A c is between -A c and A r^2, D.w within |D| |w|, and where the
   * sphere is hit b D.w - A (o.w + r^2) within A (r |w| + r^2); elsewhere that one wraps.
   */
 class RaySceneForms(scene: RayScene, width: Int, height: Int) {
@@ -28,7 +28,7 @@ class RaySceneForms(scene: RayScene, width: Int, height: Int) {
   /** Coordinates that move. */
   val inputs = ArrayBuffer[(RayMoving, Int, RayWord)]()
 
-  /** Polynomials wanted, by name, with their proved range. */
+  /** Polynomials needed, by name, with their proved range. */
   val wanted = ArrayBuffer[(String, RayPolynomial, Interval)]()
 
   private def moving(of: RayMoving): Seq[RayWord] = {
@@ -93,7 +93,7 @@ class RaySceneForms(scene: RayScene, width: Int, height: Int) {
   }
   private def upTo(square: BigInt) = BigInt(scala.math.ceil(scala.math.sqrt(square.toDouble)).toLong + 1)
 
-  /** What a sphere's shade needs besides its discriminant; `away` is from its centre to the light. */
+  /** What a sphere's shade needs in addition to its discriminant; `away` is from its centre to the light. */
   private def wantShade(i: Int, centre: Seq[RayWord], along: RayPolynomial, away: Seq[RayWord]): Unit = {
     def within(m: BigInt) = Interval(-m, m)
     val r = BigInt(scene.spheres(i).radius)

@@ -5,9 +5,10 @@ import scala.math.{ceil, max, min, round, sqrt}
 
 /** Formats in which spheres are shaded by a point light, colour * (1/4 + 3/4 max(0, cosine)).
   *
-  * With C, r the sphere, E the eye, P the light, w = P - C and u = hit - C the cosine at the hit is u.(P - hit) / (r |P - hit|).
-  * As |u| = r, it follows from one number m = u.w - r^2 = u.(P - hit), for |P - hit|^2 = |w|^2 - r^2 - 2 m. With the ray's D,
-  * o = C - E, b = D.o, A = |D|^2, discriminant q = b^2 - A (|o|^2 - r^2) and hit = E + D (b - sqrt q) / A:
+  * With C, r the sphere, E the eye, P the light, w = P - C and u = hit - C the cosine at the hit is u.(P - hit) / (r |P
+  * - hit|). As |u| = r, it follows from one number m = u.w - r^2 = u.(P - hit), for |P - hit|^2 = |w|^2 - r^2 - 2 m.
+  * With the ray's D, o = C - E, b = D.o, A = |D|^2, discriminant q = b^2 - A (|o|^2 - r^2) and hit = E + D (b - sqrt q)
+  * / A:
   * {{{
   * m      = (lit - sqrt(q) D.w) / A,  lit = b D.w - A (o.w + r^2)
   * cosine = m / (r sqrt(power - 2 m)),  power = |w|^2 - r^2
@@ -37,7 +38,7 @@ final class RayShade(scene: RayScene, program: RayProgram, squareLow: Long, squa
   val numeratorBits: Int = min(litBits, RayShade.NumeratorBits)
   val numeratorShift: Int = litBits - numeratorBits
 
-  /** sqrt(q) D.w, a product of 16 bits of root, is brought to that by this shift to the right. */
+  /** sqrt(q) D.w, a product of 16 bits of root, is converted to that by this shift to the right. */
   val productShift: Int = numeratorShift + 16 - rootBits / 2
 
   /** 1 / A: A < 2^squareBits, 16 bits enter the table, which gives 2^(squareBits + reciprocalShift) / A. */
@@ -54,8 +55,8 @@ final class RayShade(scene: RayScene, program: RayProgram, squareLow: Long, squa
   val numberShift: Int = reciprocalShift + squareBits - numeratorShift - fraction
 
   /** 1 / |P - hit|: its square, `distanceBits`, has 16 bits from the [[RayShade.DistanceWindow]] enter the table; m is
-    * shifted by half as much and `scaleShift` to the right, so that it fits 16 bits as well. Bits 27..18 of their product
-    * are the level.
+    * shifted by half as much and `scaleShift` to the right, so that it fits 16 bits as well. Bits 27..18 of their
+    * product are the level.
     */
   val distanceBits: Int = powerBits + fraction
   private val radiusBits = bits(radius)
@@ -77,7 +78,9 @@ final class RayShade(scene: RayScene, program: RayProgram, squareLow: Long, squa
   )
 }
 
-/** Small numbers keep their bits by shifts to the left of 0, 1, .. `last` times `step`, while the bits so lost are zero. */
+/** Small numbers keep their bits by shifts to the left of 0, 1, .. `last` times `step`, while the bits so lost are
+  * zero.
+  */
 case class ShadeWindow(step: Int, last: Int)
 
 object RayShade {
@@ -90,7 +93,7 @@ object RayShade {
   val RootWindow = ShadeWindow(step = 6, last = 1)
   val DistanceWindow = ShadeWindow(step = 4, last = 3)
 
-  /** Rays' squared lengths within a picture may differ by this factor, beyond which the reciprocal is held. */
+  /** Rays' squared lengths within a picture may differ by this factor, outside which the reciprocal saturates. */
   val SquareRange = 16
 
   /** None if there is nothing to shade, or no light. */

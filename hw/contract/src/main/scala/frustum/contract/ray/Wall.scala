@@ -1,11 +1,9 @@
 package frustum.contract.ray
 
-/** A wall of a [[RayRoom]]: `sign` tells which end of `axis`. Where walls meet, the first in [[Wall.all]] is
-  * taken.
-  */
+/** A wall of a [[RayRoom]]: `sign` is the end of `axis`. Where walls meet, the first in [[Wall.all]] is taken. */
 case class Wall(index: Int, axis: Int, sign: Int) {
 
-  /** The axes that lie in it. */
+  /** The axes in its plane. */
   val across: Seq[Int] = (0 to 2).filter(_ != axis)
 
   /** Those of an image's columns, to the right, and of its rows, upwards: places in `across`. */

@@ -53,7 +53,7 @@ object Font {
 
   def has(c: Char): Boolean = c == ' ' || glyphs.contains(c)
 
-  /** Code of a letter; what is not drawn is refused. */
+  /** Code of a letter; a character without a glyph is refused. */
   def code(c: Char): Int = {
     require(has(c), s"the font has no '$c'")
     c - 32

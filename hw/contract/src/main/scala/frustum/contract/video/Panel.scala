@@ -8,8 +8,8 @@ final case class PanelCommand(code: Int, parameters: Int*)
   *
   * @param mirrored   the glass is wired right to left
   * @param blueFirst  order of its colour filter
-  * @param inverted   it wants inverted data
-  * @param glass      what of the memory is seen
+  * @param inverted   it needs inverted data
+  * @param glass      the part of the memory that is visible
   * @param selectPin  whether the module has a chip select; without one SCK must rest high (SPI mode 3)
   * @param turned     quarter turns, clockwise, by which the module is mounted
   */
@@ -30,22 +30,22 @@ final case class Panel(
     copy(name = s"$name-turned${if (quarters == 2) "" else s"-$quarters"}", turned = (turned + quarters) & 3)
 
   /** Why a screen of this size cannot be shown, or None. */
-  def fault(width: Int, height: Int): Option[String] = Option.unless(
-    width.min(height) <= glass.width.min(glass.height) && width.max(height) <= glass.width.max(glass.height)
-  )(s"$name: a screen of $width x $height does not fit ${glass.width} x ${glass.height} either way")
+  def fault(width: Int, height: Int): Option[String] =
+    if (width.min(height) <= glass.width.min(glass.height) && width.max(height) <= glass.width.max(glass.height)) None
+    else Some(s"$name: a screen of $width x $height does not fit ${glass.width} x ${glass.height} either way")
 
-  /** Quarters, clockwise, by which the picture is turned on the glass: as mounted, or one more if it fits only so. */
+  /** Quarters, clockwise, by which the picture is turned on the glass: as mounted, or one more if only that fits. */
   private def quarters(config: ScreenTiles): Int = {
     fault(config.width, config.height).foreach(f => throw new IllegalArgumentException(f))
     val (across, down) = if (turned % 2 == 0) (glass.width, glass.height) else (glass.height, glass.width)
     if (config.width <= across && config.height <= down) turned else (turned + 1) & 3
   }
 
-  /** Memory access control: which way rows run through the memory. */
+  /** Memory access control: the direction of rows in the memory. */
   private def access(config: ScreenTiles): Int =
     Quarters(quarters(config)) ^ (if (mirrored) MirrorX else 0) | (if (blueFirst) Bgr else 0)
 
-  /** Column and row, as the controller counts them, of the screen's top left pixel, which is the glass's corner. */
+  /** Column and row, in the controller's numbers, of the screen's top left pixel, which is the glass's corner. */
   def origin(config: ScreenTiles): (Int, Int) = {
     // Glass wired right to left shows the memory's columns from the other end.
     val left = if (mirrored) ShortSide - glass.x - glass.width else glass.x
@@ -55,18 +55,20 @@ final case class Panel(
     if ((bits & Exchange) != 0) (row, column) else (column, row)
   }
 
-  /** What to send after reset, in order; the first is "sleep out", after which the panel wants to be left alone for
+  /** What to send after reset, in order; the first is "sleep out", after which nothing may be sent for
     * [[Panel.SettleMs]], as it does after reset.
     */
-  def start(config: ScreenTiles): Seq[PanelCommand] =
+  def start(config: ScreenTiles): Seq[PanelCommand] = {
+    val inversion = if (inverted) Seq(PanelCommand(InversionOn)) else Nil
     Seq(
       PanelCommand(SleepOut),
       PanelCommand(PixelFormat, 0x55),
       PanelCommand(MemoryAccess, access(config))
-    ) ++ Option.when(inverted)(PanelCommand(InversionOn)) :+ PanelCommand(DisplayOn)
+    ) ++ inversion :+ PanelCommand(DisplayOn)
+  }
 }
 
-/** The part of a controller's memory that a glass shows, held upright: its first column and row, and its size. */
+/** The part of a controller's memory that a glass shows, upright: its first column and row, and its size. */
 final case class PanelGlass(x: Int, y: Int, width: Int, height: Int)
 
 object Panel {
@@ -102,14 +104,14 @@ object Panel {
   /** Ilitek ILI9341: glass wired right to left, colour filter blue first. Its data sheet allows 10 MHz of SCK. */
   val Ili9341: Panel = Panel("ili9341", mirrored = true, blueFirst = true, inverted = false)
 
-  /** Sitronix ST7789 on an IPS glass, which wants inverted data. Its data sheet allows 62.5 MHz of SCK. */
+  /** Sitronix ST7789 on an IPS glass, which needs inverted data. Its data sheet allows 62.5 MHz of SCK. */
   val St7789: Panel = Panel("st7789", mirrored = false, blueFirst = false, inverted = true)
 
   /** Modules of 1.3 inches with seven pins: no chip select, the first 240 rows of the memory. */
   val St7789Square: Panel =
     St7789.copy(name = "st7789-240x240", glass = PanelGlass(0, 0, 240, 240), selectPin = false)
 
-  /** The same mounted upside down: what is seen begins at row 80. */
+  /** The same mounted upside down: the visible part begins at row 80. */
   val St7789SquareTurned: Panel = St7789Square.turnedBy(2)
 
   /** 1.69 inches: 20 rows are hidden at either end. */

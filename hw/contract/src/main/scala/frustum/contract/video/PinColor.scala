@@ -2,7 +2,7 @@ package frustum.contract.video
 
 import scala.math.{pow, round}
 
-/** Colours of eight bits a channel at pins of fewer: the upper bits, or with a gamma above 1 c^(1/gamma), rounded. */
+/** Colours of eight bits per channel at pins of fewer: the upper bits, or with a gamma above 1 c^(1/gamma), rounded. */
 final case class PinColor(format: ColorFormat, gamma: Double = 1) {
   require(gamma >= 1 && gamma <= 4, s"a gamma of $gamma; 1 to 4 are supported")
 

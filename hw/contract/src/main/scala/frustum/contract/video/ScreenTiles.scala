@@ -1,6 +1,6 @@
 package frustum.contract.video
 
-/** A screen and the tiles of 2^n pixels a side in which its pixels come. */
+/** A screen, and the tiles of 2^n x 2^m pixels in which its pixels are sent. */
 trait ScreenTiles {
   def width: Int
   def height: Int

@@ -1,6 +1,8 @@
 package frustum.contract.video
 
-/** A line of `length` letters on the screen, enlarged 2^scale times, at column and row of a grid of their own size. */
+/** A line of `length` letters on the screen, enlarged 2^scale times, at a column and a row of the grid of cells of this
+  * size.
+  */
 case class TextField(column: Int, row: Int, length: Int, scale: Int) {
   val cell: Int = Font.Cell << scale
   require(

@@ -1,7 +1,7 @@
 package frustum.contract.video
 
-/** A raster of pixels and its sync pulses: pixels and lines of the visible part, front porch, sync and back
-  * porch; `hPositive`, `vPositive` tell the pulses' polarity.
+/** A raster of pixels and its sync pulses: pixels and lines of the visible part, front porch, sync and back porch;
+  * `hPositive`, `vPositive` are the pulses' polarity.
   */
 case class VideoMode(
     name: String,

@@ -1,11 +1,11 @@
 package frustum.contract.voxel
 
-/** A kind of block. Faces are in the order of travel of the ray that meets them: +x, -x, +y, -y, +z (the bottom), -z (the
-  * top).
+/** A kind of block. Faces are in the order of travel of the ray that meets them: +x, -x, +y, -y, +z (the bottom), -z
+  * (the top).
   *
   * @param textures one for each face
   * @param opaque rays end here: no texel of it lets light through
-  * @param selectable whether it can be pointed at
+  * @param selectable whether it can be selected
   * @param joins adjoining blocks of this kind show one layer, as a body of water
   */
 final case class BlockType(

@@ -12,6 +12,6 @@ object FaceLight {
     */
   def lit(channel: Int, light: Int): Int = channel * 17 * light >> 8
 
-  /** Of the face that is pointed at. */
+  /** Of the selected face. */
   def highlighted(lit: Int): Int = (lit * HighlightScale >> 16) + HighlightGrey
 }

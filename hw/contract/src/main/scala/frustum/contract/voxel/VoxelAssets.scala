@@ -1,6 +1,6 @@
 package frustum.contract.voxel
 
-/** What a picture of a world is made of besides the world. */
+/** Block table and textures: what a picture needs in addition to the world. */
 final case class VoxelAssets(table: BlockTable, textures: VoxelTextures) {
   for (id <- table.ids; t <- table(id).textures) require(
     t >= 0 && t < textures.indices.length,
@@ -8,6 +8,6 @@ final case class VoxelAssets(table: BlockTable, textures: VoxelTextures) {
   )
   for (id <- table.ids if table(id).opaque; t <- table(id).textures) require(
     textures.indices(t).forall(i => (textures.palettes(t)(i) & 15) == 15),
-    s"block '${table(id).name}' is called opaque, but texture $t lets light through"
+    s"block '${table(id).name}' is opaque, but texture $t is not"
   )
 }

@@ -5,7 +5,8 @@ import frustum.contract.arithmetic.IntVector
 /** A camera as the hardware takes it, at a frame's start.
   *
   * The direction of pixel (i, j), j downwards, is `base` + i `right` + j `down`, each component two's complement with
-  * [[VoxelCamera.DirectionBits]] fraction bits, of magnitude below 2, and the greatest one at least 1/2; the direction of the screen's centre is `look`.
+  * [[VoxelCamera.DirectionBits]] fraction bits, of magnitude below 2, and the greatest one at least 1/2; the direction
+  * of the screen's centre is `look`.
   *
   * @param eye in blocks, [[VoxelConfig.eyeBits]] fraction bits
   */
@@ -38,7 +39,8 @@ object VoxelCamera {
     val least = (c.width max c.height) / 4 + 1
     require(
       focal >= least,
-      s"a start $focal pixels from a screen of ${c.width} x ${c.height}: rays at its edges reach 2 and overflow; at least $least"
+      s"initial camera $focal pixels from a screen of ${c.width} x ${c.height}: rays at its edges reach 2 and " +
+        s"overflow; at least $least"
     )
     val step = (1 << DirectionBits) / focal
     VoxelCamera(

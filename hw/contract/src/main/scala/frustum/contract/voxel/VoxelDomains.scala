@@ -2,7 +2,7 @@ package frustum.contract.voxel
 
 import frustum.contract.ValidFor
 
-/** Where the methods of the world of blocks keep their promises. */
+/** Ranges within which the methods of the world of blocks keep their error bounds. */
 object VoxelDomains {
   val Layers = ValidFor("layers", "layers", "of water and glass", 1, 16, 12, "of 255")
   val FocalLength = ValidFor("march", "focal-length", "pixels, 320 x 240", 160, 700, 1.0 / 16, "pixels")

@@ -2,26 +2,27 @@ package frustum.contract.voxel
 
 import frustum.contract.arithmetic.IntVector
 
-/** What a host tells a board with a world, byte by byte: an opcode, a payload, numbers with their highest byte first, and a last byte that
-  * makes the sum of all 0 modulo 256. A silence of [[VoxelHostCommand.SilenceMicros]] ends a command that was cut short.
+/** Commands of a host to a board with a world, in bytes: an opcode, a payload, numbers with their highest byte first,
+  * and a last byte that makes the sum of all 0 modulo 256. A pause of [[VoxelHostCommand.SilenceMicros]] ends an
+  * incomplete command.
   */
 object VoxelHostCommand {
 
-  /** A word of the world's memory: address and word, three bytes each. Distances are the host's affair. */
+  /** A word of the world's memory: address and word, three bytes each. The host provides the distances. */
   val Write: Int = 'W'
   val WriteBytes: Int = 6
 
-  /** A block: address and id. The board works out the distances. */
+  /** A block: address and id. The board computes the distances. */
   val Block: Int = 'B'
 
-  /** A camera: eye, look, base, right, down, three components each of three bytes. The picture is the camera's alone, nothing written over it. */
+  /** A camera: eye, look, base, right, down, three components each of three bytes. The picture has no text over it. */
   val Camera: Int = 'C'
   val CameraBytes: Int = 45
 
   /** A camera, with which the face in the picture's middle is highlighted. */
   val Highlight: Int = 'H'
 
-  /** Puts the player somewhere, whose view is shown from then on: feet, yaw, pitch, see [[VoxelRules]]. */
+  /** Places the player, whose view is shown from then on: feet, yaw, pitch, see [[VoxelRules]]. */
   val Player: Int = 'P'
 
   val BlockBytes: Int = 6

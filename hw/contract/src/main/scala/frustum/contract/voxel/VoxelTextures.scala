@@ -13,11 +13,11 @@ final case class VoxelTextures(indices: IndexedSeq[IndexedSeq[Int]], palettes: I
   )
   require(
     indices.forall(t => t.length == Side * Side && t.forall(i => i >= 0 && i < Colors)),
-    "a texture of wrong size"
+    "a texture does not have 16 x 16 texels"
   )
   require(
     palettes.forall(p => p.length == Colors && p.forall(c => c >= 0 && c >> 16 == 0)),
-    "a palette of wrong size"
+    "a palette does not have 16 colours"
   )
 
   /** RGBA4444 of a texel, v downwards. */

@@ -7,8 +7,8 @@ import frustum.model.video.TextOverlay
 /** What is written over a picture: pictures a second and the item in hand. */
 final case class VoxelMarks(rate: Int, item: Int)
 
-/** A monitor's picture of the voxel console, bit for bit: a picture of the pipeline's with colours as the pins have them, enlarged, text and
-  * crosshair over it.
+/** A monitor's picture of the voxel console, bit for bit: a picture of the pipeline's with colours as the pins have
+  * them, enlarged, text and crosshair over it.
   */
 final case class VoxelScreen(config: VoxelConsoleConfig) {
   import config.{format, mode, readout, scale, voxel}

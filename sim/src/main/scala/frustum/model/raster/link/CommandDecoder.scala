@@ -9,6 +9,8 @@ import frustum.contract.raster.{
   RenderState,
   StateHeadLayout,
   StoreLayout,
+  StoredState,
+  StoredStateLayout,
   StoredTriangle,
   StoredVertex,
   TexelsHeadLayout,
@@ -20,12 +22,13 @@ import scala.collection.mutable.ArrayBuffer
 /** A job as handed to the rasterizer, with a copy of its bank. */
 final case class Job(bank: Int, triangleCount: Int, clearColor: Int, region: TileRegion, store: IndexedSeq[Long])
 
-/** What a checked command does, see [[frustum.raster.link.CommandDecoder]]. Waiting is not modelled: it changes no result.
+/** What a checked command does, see [[frustum.raster.link.CommandDecoder]]. Waiting is not modelled: it changes no
+  * result.
   *
   * Words of a bank that were never written are [[CommandDecoder.Unwritten]], spare bits are 0.
   */
-final class CommandDecoder(config: RasterConfig) {
-  val layout = StoreLayout(config)
+final class CommandDecoder(config: RasterConfig, stateLayout: StoredStateLayout = StoredState) {
+  val layout = StoreLayout(config, stateLayout)
   val banks = Array.fill(2, layout.bankWords)(CommandDecoder.Unwritten)
   val texels = Array.fill(config.textureTexels)(0)
   val jobs = ArrayBuffer.empty[Job]
@@ -69,7 +72,7 @@ final class CommandDecoder(config: RasterConfig) {
 
   private def writeState(w: Seq[Int]): Boolean = {
     val (index, state) = (StateHeadLayout.Index.of(w), w.drop(StateHeadLayout.words))
-    val inRange = index < RenderState.Count && config.fixed.accepts(state)
+    val inRange = index < RenderState.Count && config.fixed.accepts(state, stateLayout.wire)
     if (inRange && !config.fixed.whole) store(pairs(state))(layout.state(index, _))
     inRange
   }
@@ -89,7 +92,8 @@ final class CommandDecoder(config: RasterConfig) {
       else writeVertex(index, v)
     }
 
-  /** The words are checked as they come; from the first one out of range on nothing is written but a tag that differs. */
+  /** The words are checked as they come; from the first one out of range on nothing is written but a tag that differs.
+    */
   private def writeVertex(index: Int, v: Seq[Int]): Unit = {
     val out = (0 until layout.vertexWords).map(p => outOfRange(v, 2 * p + 2))
     val otherTag = tag ^ (StoredVertex.Tag.ones + 1) / 2

@@ -60,7 +60,9 @@ final class TriangleSetup(planes: Seq[Int] = SetupWords.AllPlanes) {
   def stepX(k: Int): Int = (k match { case 0 => word(A0_16); case 1 => word(DY2_16); case 2 => -word(DY1_16) }) >> 16
   def stepY(k: Int): Int = (k match { case 0 => word(B0_16); case 1 => -word(DX2_16); case 2 => word(DX1_16) }) >> 16
 
-  /** Edge functions on row `top`, each at the column, `left` or `right`, where its walk starts; and where they are largest. */
+  /** Edge functions on row `top`, each at the column, `left` or `right`, where its walk starts; and where they are
+    * largest.
+    */
   def edges(left: Int, right: Int, top: Int, bottom: Int): Unit = {
     word(Left) = 16 * left + 8 - word(X0)
     word(Right) = 16 * right + 8 - word(X0)

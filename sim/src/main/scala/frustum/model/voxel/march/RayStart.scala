@@ -3,8 +3,8 @@ package frustum.model.voxel.march
 import frustum.contract.arithmetic.ReciprocalTable
 import frustum.contract.voxel.{VoxelCamera, VoxelConfig}
 
-/** Where a ray starts and how it runs, in space mirrored so that it goes up along all axes, for a ray that does along axis k
-  * coordinate = size - coordinate.
+/** Where a ray starts and how it runs, in space mirrored so that it goes up along all axes, for a ray that does along
+  * axis k coordinate = size - coordinate.
   *
   * The ray is thought to come from the last border of blocks behind the eye along `fast`, the axis of its greatest
   * component: `plane` is that border, `at` the positions there along the two other axes (`fast` + 1 and + 2 modulo 3),

@@ -13,8 +13,8 @@ object LeapWords {
     }
   }
 
-  /** For each block of air the side of the largest cube in all octants of a group. A cube of side n + 1 is air where those of side n at
-    * the block and at its neighbours on that side are: so each round adds one.
+  /** For each block of air the side of the largest cube in all octants of a group. A cube of side n + 1 is air where
+    * those of side n at the block and at its neighbours on that side are: so each round adds one.
     */
   private def distances(world: VoxelWorld, field: LeapField, group: Int): Array[Byte] = {
     val size = world.size
