@@ -17,7 +17,7 @@ case class CommandPins() extends Bundle with IMasterSlave {
   * core clocks after its last bit and must be taken before the next.
   *
   * MISO answers every frame of chip select with `firstByte`, `secondByte` and then bytes of the core's. A byte is asked for by its
-  * index while the one before it is being sent, so its value is at most two bytes old. In a longer frame bytes 1 to 8
+  * index while the one before it is being sent, so its value is at most two bytes old. In a longer frame bytes 2 to 9
   * repeat.
   *
   * @param firstByte  byte 0 of an answer
@@ -42,13 +42,15 @@ case class SpiSlave(firstByte: Int, secondByte: Int) extends Component {
     val bit = Reg(UInt(3 bits)) init 0
     val index = Reg(UInt(3 bits)) init 0 // bytes of this frame, modulo 8
     val ended = Reg(Bool()) init False // with this edge a byte ended
-    val first = Reg(Bool()) init False // the last byte that ended was the frame's first, or any 8th after it
+    val fresh = Reg(Bool()) init True // no byte of this frame has ended
+    val first = Reg(Bool()) init False // the last byte that ended was the frame's first
     shift := shift(5 downto 0) ## io.pins.mosi
     bit := bit + 1
     ended := bit === 7
     when(bit === 7) {
       index := index + 1
-      first := index === 0
+      fresh := False
+      first := fresh
     }
   }
   // Not touched by `cs`: a byte stays valid after the frame ends.

@@ -41,6 +41,7 @@ case class SimSpiHostTop(config: RasterConfig, halfPeriod: Int) extends Componen
   link.io.texels >> io.texels
   link.io.job >> io.job
   link.io.jobDone := io.jobDone
+  link.io.undrawn := False
   io.status := link.io.status
 }
 

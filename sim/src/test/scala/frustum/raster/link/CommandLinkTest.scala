@@ -4,6 +4,8 @@ import frustum.contract.raster.{
   Combine,
   Command,
   FixedState,
+  PackedTriangle,
+  PackedVertex,
   RasterConfig,
   RenderState,
   StoreLayout,
@@ -92,6 +94,37 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
     for ((stall, seed) <- Seq((0.0, 6), (0.3, 7))) run(sim, config, traffic(config, seed, 30), seed, stall)
   }
 
+  test(
+    "a triangle that names a state not sent in this frame is refused and counted, whatever was sent in frames before"
+  ) {
+    val t = new LinkTraffic(small, new Random(9))
+    val triangle = PackedTriangle(0, 0, 1, 2).words
+    def corner(x: Int, y: Int) = PackedVertex(x, y, 0, 32768, 16, 0, 0, 0, 0, 0, 255).words
+    val vertices = (Command.Vertices, 0 +: Seq((0, 0), (640, 0), (0, 640)).flatMap((corner _).tupled))
+    def state(index: Int) = (Command.State, Seq(index, 0, 0))
+    def frame(number: Int, sent: Seq[Int], named: Int) =
+      Seq((Command.Begin, Seq(number, 0, 0x0001, 0x0001))) ++ sent.map(state) ++ Seq(
+        vertices,
+        (Command.Triangles, Seq(named) ++ triangle ++ triangle),
+        (Command.Draw, Seq(3, 2))
+      )
+    // Each state alone, then named without it, then all others, and all; both banks hold all by then.
+    val frames = (0 until RenderState.Count).flatMap(n =>
+      Seq(Seq(n) -> n, Nil -> n, (0 until RenderState.Count).filter(_ != n) -> n, (0 until RenderState.Count) -> n)
+    )
+    val stream = t.fill() ++ frames.zipWithIndex.flatMap { case ((sent, named), i) =>
+      t.bytes(frame(i, sent, named), errors = false)
+    }
+    val model = new LinkModel(small)
+    model.feed(stream)
+    val refused = frames.count { case (sent, named) => !sent.contains(named) }
+    assert(model.jobs.drop(2).map(_.triangleCount) == frames.map { case (sent, named) =>
+      if (sent.contains(named)) 2 else 0
+    })
+    assert(model.counters(0).trianglesRefused == 2 * refused)
+    for ((stall, seed) <- Seq((0.0, 9), (0.5, 10))) run(compiled, small, stream, seed, stall)
+  }
+
   test("a byte flipped, lost or added anywhere costs one command at most and is counted") {
     val t = new LinkTraffic(small, new Random(5))
     val commands = Seq(
@@ -130,7 +163,8 @@ object LinkChecks {
     s.verticesRefused.toInt,
     s.trianglesRefused.toInt,
     s.incomplete.toInt,
-    s.drawn.toInt
+    s.drawn.toInt,
+    s.trianglesUndrawn.toInt
   )
 
   def same(config: RasterConfig, model: LinkModel, sink: LinkSink, where: String): Unit = {

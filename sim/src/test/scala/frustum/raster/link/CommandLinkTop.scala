@@ -28,6 +28,7 @@ case class CommandLinkTop(config: RasterConfig, dropWhenFull: Boolean) extends C
   link.io.texels >> io.texels
   link.io.job >> io.job
   link.io.jobDone := io.jobDone
+  link.io.undrawn := False
   io.status := link.io.status
 }
 

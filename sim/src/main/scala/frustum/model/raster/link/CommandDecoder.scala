@@ -40,6 +40,7 @@ final class CommandDecoder(config: RasterConfig) {
   private var vertices = 0 // arrived
   private var triangles = 0 // arrived
   private var stored = 0
+  private val sentStates = collection.mutable.Set.empty[Int]
 
   def execute(opcode: Int, words: Seq[Int]): Unit = {
     val done = Command.all.find(_.opcode == opcode) match {
@@ -64,6 +65,7 @@ final class CommandDecoder(config: RasterConfig) {
     vertices = 0
     triangles = 0
     stored = 0
+    sentStates.clear()
     open
   }
 
@@ -71,6 +73,7 @@ final class CommandDecoder(config: RasterConfig) {
     val (index, state) = (StateHeadLayout.Index.of(w), w.drop(StateHeadLayout.words))
     val inRange = index < RenderState.Count && config.fixed.accepts(state)
     if (inRange && !config.fixed.whole) store(pairs(state))(layout.state(index, _))
+    if (inRange) sentStates += index
     inRange
   }
 
@@ -120,7 +123,7 @@ final class CommandDecoder(config: RasterConfig) {
       v < config.maxVertices && vertex(v)(CommandDecoder.tagWord) != CommandDecoder.Unwritten &&
       StoredVertex.Tag.of(vertex(v).map(_.toInt)) == tag
     }
-    if (!sent) trianglesRefused += 1
+    if (!sent || !sentStates(t.state)) trianglesRefused += 1
     else {
       val words = corners.map(vertex(_).map(_.toInt))
       TriangleBox(config, words.map(StoredVertex.X.of), words.map(StoredVertex.Y.of)).foreach { box =>
