@@ -21,7 +21,7 @@ import spinal.lib._
   */
 case class RasterPipeline(
     config: RasterConfig,
-    dropWhenFull: Boolean = true,
+    dropWhenFull: Boolean = false,
     tech: Tech = Tech.Generic
 ) extends Component {
   val io = new Bundle {

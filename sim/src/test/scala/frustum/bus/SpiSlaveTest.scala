@@ -26,7 +26,7 @@ case class SpiLinkTop(config: RasterConfig) extends Component {
     val jobDone = in Bool ()
   }
   val spi = SpiSlave(LinkStatus.Magic, LinkStatus.Version)
-  val link = CommandLink(config)
+  val link = CommandLink(config, dropWhenFull = true)
   val store = Store(StoreLayout(config), 2, Tech.Generic)
   store.io.clients(0) <> io.rival
   store.io.clients(1) <> link.io.store

@@ -10,7 +10,7 @@ import spinal.lib._
   *
   * @param dropWhenFull see [[Framer]]: true behind a source that cannot wait, such as [[SpiSlave]]
   */
-case class CommandLink(config: RasterConfig, depth: Int = 256, dropWhenFull: Boolean = true) extends Component {
+case class CommandLink(config: RasterConfig, depth: Int = 256, dropWhenFull: Boolean = false) extends Component {
   val io = new Bundle {
     val bytes = slave(Stream(Bits(8 bits)))
     val store = master(StoreBus(StoreLayout(config)))

@@ -18,7 +18,7 @@ case class PipelineTestbed(config: RasterConfig) extends Component {
     val seed = in UInt (32 bits)
     val status = out(LinkStatus())
   }
-  val pipeline = RasterPipeline(config, dropWhenFull = false, tech = Tech.Generic)
+  val pipeline = RasterPipeline(config, tech = Tech.Generic)
   val feeder = SimByteFeeder()
   val recorder = SimPixelRecorder(config)
   val events = SimEventRecorder(PipelineEvent.Count)

@@ -22,7 +22,7 @@ import scala.util.Random
 
 class CommandLinkTest extends AnyFunSuite with Simulated {
   private val small = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
-  private lazy val compiled = FrustumSim.compile("CommandLink_small")(CommandLinkTop(small, dropWhenFull = false))
+  private lazy val compiled = FrustumSim.compile("CommandLink_small")(CommandLinkTop(small))
 
   private def run(
       sim: SimCompiled[CommandLinkTop],
@@ -67,7 +67,7 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
 
   test("and for the default sizes") {
     val config = RasterConfig()
-    val sim = FrustumSim.compile("CommandLink_default")(CommandLinkTop(config, dropWhenFull = false))
+    val sim = FrustumSim.compile("CommandLink_default")(CommandLinkTop(config))
     run(sim, config, traffic(config, 4, 6), 4, 0.1)
   }
 
@@ -78,7 +78,7 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
         "texelFormat" -> 0
       ).bits("wrapS", mask = 1, value = 0).bits("wrapT", mask = 1, value = 0)
     )
-    val sim = FrustumSim.compile("CommandLink_fixed")(CommandLinkTop(config, dropWhenFull = false))
+    val sim = FrustumSim.compile("CommandLink_fixed")(CommandLinkTop(config))
     run(sim, config, traffic(config, 5, 20), 5, 0.2)
   }
 
@@ -90,7 +90,7 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
       ranges = VertexRanges(position = 8, repeats = 1, ratio = 1),
       clearColor = Some(0x7e21)
     )
-    val sim = FrustumSim.compile("CommandLink_scene")(CommandLinkTop(config, dropWhenFull = false))
+    val sim = FrustumSim.compile("CommandLink_scene")(CommandLinkTop(config))
     for ((stall, seed) <- Seq((0.0, 6), (0.3, 7))) run(sim, config, traffic(config, seed, 30), seed, stall)
   }
 
@@ -123,6 +123,38 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
     })
     assert(model.counters(0).trianglesRefused == 2 * refused)
     for ((stall, seed) <- Seq((0.0, 9), (0.5, 10))) run(compiled, small, stream, seed, stall)
+  }
+
+  test("without being told otherwise a link has its source wait: nothing is lost while no job gets done") {
+    val begin = Command.encode(Command.Begin, Seq(1, 2, 0, 0))
+    val draw = Command.encode(Command.Draw, Seq(0, 0))
+    val texels = Command.encode(Command.Texels, 0 +: (0 until 100))
+    val stream = (begin ++ draw) ++ (begin ++ draw) ++ Seq.fill(20)(texels).flatten
+    compiled.doSim("waits", 11) { dut =>
+      val sink = new LinkSink(small, dut.clockDomain, dut.io.texels, dut.io.job, dut.io.jobDone, dut.io.rival, 0)
+      dut.io.bytes.valid #= false
+      sink.start()
+      sink.paused = true
+      SimTimeout(10L * 400000)
+      dut.clockDomain.forkStimulus(period = 10)
+      var taken = 0
+      fork {
+        for (byte <- stream) {
+          dut.io.bytes.valid #= true
+          dut.io.bytes.payload #= byte
+          dut.clockDomain.waitSamplingWhere(dut.io.bytes.ready.toBoolean)
+          taken += 1
+        }
+        dut.io.bytes.valid #= false
+      }
+      dut.clockDomain.waitSampling(20000)
+      assert(taken < stream.length && !dut.io.bytes.ready.toBoolean, s"$taken of ${stream.length} bytes were taken")
+      sink.paused = false
+      while (sink.done < 2 || taken < stream.length) dut.clockDomain.waitSampling(10)
+      dut.clockDomain.waitSampling(6000)
+      assert(LinkChecks.counters(dut.io.status) == LinkCounters(24, 0, 0, 0, 0, 2, 0))
+      assert(sink.texels.take(100).sameElements(0 until 100))
+    }
   }
 
   test("a byte flipped, lost or added anywhere costs one command at most and is counted") {
