@@ -18,7 +18,7 @@ case class CommandPins() extends Bundle with IMasterSlave {
   *
   * MISO answers every frame of chip select with `firstByte`, `secondByte` and then bytes of the core. The byte is
   * requested by its index while the one before it is being sent, so its value is at most two bytes old. In a longer
-  * frame bytes 1 to 8 repeat.
+  * frame bytes 2 to 9 repeat.
   *
   * @param firstByte  byte 0 of an answer
   * @param secondByte byte 1, a constant because nothing can be prepared while byte 0 is sent
@@ -42,13 +42,15 @@ case class SpiSlave(firstByte: Int, secondByte: Int) extends Component {
     val bit = Reg(UInt(3 bits)) init 0
     val index = Reg(UInt(3 bits)) init 0 // bytes of this frame, modulo 8
     val ended = Reg(Bool()) init False // this edge ends a byte
-    val first = Reg(Bool()) init False // the last byte that ended was the frame's first, or any 8th after it
+    val fresh = Reg(Bool()) init True // no byte of this frame has ended
+    val first = Reg(Bool()) init False // the last byte that ended was the frame's first
     shift := shift(5 downto 0) ## io.pins.mosi
     bit := bit + 1
     ended := bit === 7
     when(bit === 7) {
       index := index + 1
-      first := index === 0
+      fresh := False
+      first := fresh
     }
   }
   // Not touched by `cs`: a byte stays valid after the frame ends.

@@ -21,7 +21,7 @@ import spinal.lib._
   */
 case class RasterPipeline(
     config: RasterConfig,
-    dropWhenFull: Boolean = true,
+    dropWhenFull: Boolean = false,
     tech: Tech = Tech.Generic
 ) extends Component {
   val io = new Bundle {
@@ -29,8 +29,10 @@ case class RasterPipeline(
     val pixels = master(Stream(ResolvedPixel(config)))
     val status = out(LinkStatus())
 
-    /** A triangle was set up, or moved to a tile: for measurements. */
-    val setUp, moved = out Bool ()
+    /** A triangle was set up as a whole, moved to a tile, or left out of the frame because it faces away or has no
+      * area: for measurements.
+      */
+    val setUp, moved, undrawn = out Bool ()
 
     /** A frame is being drawn; low for a cycle at least between frames. Its last pixels may follow. */
     val drawing = out Bool ()
@@ -60,9 +62,11 @@ case class RasterPipeline(
   rasterizer.io.frame.payload := job.payload
   job.ready := rasterizer.io.frame.ready
   link.io.jobDone := job.fire
+  link.io.undrawn := rasterizer.io.undrawn
 
   io.status := link.io.status
   io.setUp := rasterizer.io.setUp
   io.moved := rasterizer.io.moved
+  io.undrawn := rasterizer.io.undrawn
   io.drawing := job.valid
 }

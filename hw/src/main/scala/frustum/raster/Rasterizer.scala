@@ -25,7 +25,7 @@ case class Rasterizer(config: RasterConfig, tech: Tech = Tech.Generic) extends C
     val state = out(RenderStateWord())
     val draining = in Bool () // fragments in flight after `down`
     val down = master(Stream(InterpolatedFragment(config)))
-    val setUp, moved = out Bool () // pulses, see TriangleSetup
+    val setUp, moved, undrawn = out Bool () // pulses, see TriangleSetup
   }
   val sequencer = TileSequencer(config)
   val setup = TriangleSetup(config, tech)
@@ -52,4 +52,5 @@ case class Rasterizer(config: RasterConfig, tech: Tech = Tech.Generic) extends C
   io.state := loader.io.current
   io.setUp := setup.io.setUp
   io.moved := setup.io.moved
+  io.undrawn := setup.io.undrawn
 }

@@ -38,9 +38,12 @@ object CommandPage {
       Seq("opcode", "command", "words", "what it does"),
       Command.all.map(c => Seq(hex(c.opcode), s"[${c.name}](#${c.name})", lengths(c), c.note))
     ),
-    "A frame is `begin`, any `state`, `vertices` and `triangles`, then `draw`; vertices come before the triangles " +
-      "that name them, states before `draw`. `texels` may stand anywhere. A frame that is incomplete is counted and " +
-      "drawn with what has arrived."
+    "A frame is `begin`, any `state`, `vertices` and `triangles`, then `draw`; vertices and states come before the " +
+      "triangles that name them. `texels` may stand anywhere. A frame that is incomplete is counted and drawn with " +
+      "what has arrived.",
+    "A picture may be drawn in several passes, each from `begin` to `draw`, where it has more than the store holds. " +
+      "Their regions must be disjoint: a pass clears its region, so it removes what another one drew there. Nothing " +
+      "outside the region changes."
   )
 
   /** Records with a section of their own. */
@@ -68,6 +71,12 @@ object CommandPage {
     "## Vertex",
     s"${VertexLayout.words} words, ${2 * VertexLayout.words} bytes (`PackedVertex`); bits not named are ignored.",
     fields(VertexLayout),
+    "The centre of the pixel i columns right of and j rows below the top left one is at x = 16 i + 8, y = 16 j + 8. A pixel " +
+      "is drawn where its centre lies in the triangle; on an edge, where that is a top or a left one. So triangles that share an " +
+      "edge draw each pixel once.",
+    "`s` and `t` are not divided by w: the hardware multiplies them by 1/w, interpolates and divides again. A coordinate of 0 is " +
+      "the border before the first texel, and what is exactly a texel's border belongs to the texel above it, within " +
+      "[limits](numbers.md#what-is-exact-and-what-is-not).",
     "A vertex outside these ranges is refused: it is counted, and every triangle that names it is refused as well. " +
       "Without perspective (orthographic views, screen-space drawing) give every vertex the same q, for example " +
       s"mantissa 32768, exponent 16: w = 1."
@@ -76,8 +85,11 @@ object CommandPage {
   private def state: Seq[String] = Seq(
     "## Render state",
     s"${RenderStateLayout.words} words (`RenderState`); ${RenderState.Count} states a frame. Those that triangles " +
-      "name must be sent in every frame.",
+      "name must be sent in every frame: states are not kept from one to the next, as each frame has a bank of the " +
+      "store to itself, and a copy from bank to bank would take logic cells to save 11 bytes a state.",
     fields(RenderStateLayout),
+    "Every frame, or pass, starts with a depth of 65535 at each of its pixels. So with 1 (less) a fragment at 65535 " +
+      "is never drawn; with 3 (less or equal) it is.",
     "Texels lie row by row from the bottom row (t = 0) up, 16 bits each, red in the most significant bits. With " +
       "RGB565 the fragment's alpha is the vertex's."
   )

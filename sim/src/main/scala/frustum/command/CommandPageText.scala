@@ -24,6 +24,7 @@ object CommandPageText {
       "- `crc` is CRC-16/CCITT-FALSE (polynomial 0x1021, start 0xFFFF, not reflected, no final xor) over opcode, " +
       "length and payload before escaping; over the bytes \"123456789\" it " +
       "is " + f"0x${Command.crc("123456789".map(_.toInt))}%04X.\n" +
+      "- A field that takes more than one word has its upper bits in the first of them.\n" +
       "- A command takes effect only when it is complete and its checksum is right. Anything else is dropped and " +
       "counted as one; the next flag starts afresh.",
     s"`draw` with 3 vertices and 1 triangle, for example: `$example`."
@@ -43,20 +44,23 @@ object CommandPageText {
   private val statusBytes = Seq(
     hex(LinkStatus.Magic),
     s"version of this table: ${LinkStatus.Version}",
-    "bit 0: a frame is being drawn; bit 1: lowest bit of the frames drawn; bit 2: `cts`; bit 3: an error since reset",
+    "bit 0: a frame is being drawn; bit 1: lowest bit of the frames drawn; bit 2: `cts`; bit 3: an error since " +
+      "reset; bit 4: byte 9 counts, which costs cells: not in `icebreaker-raster`",
     "commands accepted",
     "commands dropped: checksum, length, opcode, index, region or address wrong; no room; no frame begun",
     "vertices refused",
     "triangles refused",
     "frames incomplete: `draw` counted otherwise",
-    "frames (passes) drawn"
+    "frames (passes) drawn",
+    "triangles left out because they face away or have no area, each once a frame (pass) in which its bounding box " +
+      "touches the region"
   )
-  require(LinkStatus.Version == 2 && statusBytes.length == LinkStatus.Bytes, "the status has changed: describe it here")
+  require(LinkStatus.Version == 3 && statusBytes.length == LinkStatus.Bytes, "the status has changed: describe it here")
 
   val status: Seq[String] = Seq(
     "## Status",
     s"`host_miso` sends these ${LinkStatus.Bytes} bytes in every select while the host sends, and continues with " +
-      s"byte 1 after the last. To read without sending a command, send flags (${hex(Command.Flag)}). Counters have " +
+      s"byte 2 after the last. To read without sending a command, send flags (${hex(Command.Flag)}). Counters have " +
       s"${LinkStatus.CountBits} bits, start at 0 with reset and wrap at ${1 << LinkStatus.CountBits}: a host that " +
       "reads them after every frame misses nothing. What is read is at most two bytes' time old.",
     (Seq("| byte | content |", "| --- | --- |") ++

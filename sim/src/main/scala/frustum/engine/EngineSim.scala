@@ -31,7 +31,8 @@ object EngineSim {
     val constant = RenderStateLayout.fields.map(f => f"${fixed(f).mask}%x-${fixed(f).value}%x").mkString("-")
     s"${width}x${height}_${tileWidth}x${tileHeight}_${maxVertices}_${maxTriangles}_${textureTexels}_" +
       s"${constant}_${formats.coordinate}_${formats.depth}_${formats.color}_${formats.inverse}_" +
-      s"${ranges.position}_${ranges.repeats}_${ranges.ratio}_${clearColor.fold("any")(_.toString)}_$slots"
+      s"${ranges.position}_${ranges.repeats}_${ranges.ratio}_${clearColor.fold("any")(_.toString)}_$slots" +
+      (if (countUndrawn) "" else "_uncounted")
   }
 
   /** @param name must tell everything that the design depends on

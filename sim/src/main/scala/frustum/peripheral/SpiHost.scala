@@ -75,7 +75,7 @@ object SpiHost {
   /** The counters among the bytes of [[SpiHost.status]]. */
   def counters(status: Seq[Int]): LinkCounters = {
     require(status.length == LinkStatus.Bytes && status.head == LinkStatus.Magic, s"no status: ${status.mkString(" ")}")
-    val Seq(a, d, v, t, i, n) = status.drop(3)
-    LinkCounters(a, d, v, t, i, n)
+    val Seq(a, d, v, t, i, n, u) = status.drop(3)
+    LinkCounters(a, d, v, t, i, n, u)
   }
 }

@@ -26,7 +26,7 @@ case class SpiLinkTop(config: RasterConfig) extends Component {
     val jobDone = in Bool ()
   }
   val spi = SpiSlave(LinkStatus.Magic, LinkStatus.Version)
-  val link = CommandLink(config)
+  val link = CommandLink(config, dropWhenFull = true)
   val store = Store(StoreLayout(config), 2, Tech.Generic)
   store.io.clients(0) <> io.rival
   store.io.clients(1) <> link.io.store
@@ -36,6 +36,7 @@ case class SpiLinkTop(config: RasterConfig) extends Component {
   link.io.texels >> io.texels
   link.io.job >> io.job
   link.io.jobDone := io.jobDone
+  link.io.undrawn := io.jobDone || RegNext(io.jobDone, False) // two of each job
   io.cts := link.io.status.cts
 }
 
@@ -68,14 +69,15 @@ class SpiSlaveTest extends AnyFunSuite with Simulated {
   private def statusAgrees(host: SpiHost, sink: LinkSink, model: LinkModel, where: String): Unit = {
     val twice = host.status() ++ host.status()
     for (status <- twice.grouped(LinkStatus.Bytes)) {
-      val counters = model.counters(sink.done)
-      val errors = counters.copy(accepted = 0, drawn = 0) != frustum.model.raster.link.LinkCounters(0, 0, 0, 0, 0, 0)
+      val counters = model.counters(sink.done, undrawn = 2 * sink.done)
+      val errors =
+        Seq(counters.dropped, counters.verticesRefused, counters.trianglesRefused, counters.incomplete).exists(_ > 0)
       assert(SpiHost.counters(status) == counters, where)
       assert(status(1) == LinkStatus.Version, where)
-      assert(status(2) == ((sink.done & 1) << 1 | 4 | (if (errors) 8 else 0)), where)
+      assert(status(2) == ((sink.done & 1) << 1 | 4 | 16 | (if (errors) 8 else 0)), where)
     }
-    val long = host.send(Seq.fill(2 * LinkStatus.Bytes - 1)(Command.Flag), heedCts = false)
-    assert(long.drop(LinkStatus.Bytes) == long.slice(1, LinkStatus.Bytes), where)
+    val long = host.send(Seq.fill(2 * LinkStatus.Bytes - 2)(Command.Flag), heedCts = false)
+    assert(long.drop(LinkStatus.Bytes) == long.slice(2, LinkStatus.Bytes), where)
   }
 
   for (
@@ -112,7 +114,11 @@ class SpiSlaveTest extends AnyFunSuite with Simulated {
       assert(sink.texels.take(100).sameElements(0 until 100))
       host.send(begin ++ draw)
       dut.clockDomain.waitSampling(6000)
-      assert(SpiHost.counters(host.status()) == counters.copy(accepted = counters.accepted + 2, drawn = 4))
+      assert(SpiHost.counters(host.status()) == counters.copy(
+        accepted = counters.accepted + 2,
+        drawn = 4,
+        trianglesUndrawn = 8
+      ))
     }
   }
 

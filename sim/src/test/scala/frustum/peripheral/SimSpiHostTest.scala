@@ -28,7 +28,7 @@ case class SimSpiHostTop(config: RasterConfig, halfPeriod: Int) extends Componen
   }
   val host = SimSpiHost(bytesLog2 = 14, halfPeriod)
   val spi = SpiSlave(LinkStatus.Magic, LinkStatus.Version)
-  val link = CommandLink(config)
+  val link = CommandLink(config, dropWhenFull = true)
   val store = Store(StoreLayout(config), 2, Tech.Generic)
   store.io.clients(0) <> io.rival
   store.io.clients(1) <> link.io.store
@@ -41,6 +41,7 @@ case class SimSpiHostTop(config: RasterConfig, halfPeriod: Int) extends Componen
   link.io.texels >> io.texels
   link.io.job >> io.job
   link.io.jobDone := io.jobDone
+  link.io.undrawn := False
   io.status := link.io.status
 }
 

@@ -44,7 +44,7 @@ case class RasterizerBench(config: RasterConfig, latency: Int) extends Component
     val state = out(RenderStateWord())
     val down = master(Stream(InterpolatedFragment(config)))
     val stall = in Bits (3 bits)
-    val setUp, moved = out Bool ()
+    val setUp, moved, undrawn = out Bool ()
   }
   val unit = Rasterizer(config)
   val store = Mem(Bits(32 bits), 1 << layout.addressBits).simPublic()
@@ -54,6 +54,7 @@ case class RasterizerBench(config: RasterConfig, latency: Int) extends Component
   io.state := unit.io.state
   io.setUp := unit.io.setUp
   io.moved := unit.io.moved
+  io.undrawn := unit.io.undrawn
   unit.io.draining := io.down.valid
   for ((bus, n) <- unit.io.stores.zipWithIndex) {
     bus.cmd.ready := !io.stall(n)
@@ -224,8 +225,11 @@ class RasterizerTest extends AnyFunSuite with Simulated {
     compiled(config, latency).doSim(seed) { dut =>
       for (rate <- stalls) {
         val got = ArrayBuffer.empty[String]
-        var clocks = 0
-        dut.clockDomain.onSamplings { clocks += 1 }
+        var clocks, undrawn = 0
+        dut.clockDomain.onSamplings {
+          clocks += 1
+          if (dut.io.undrawn.toBoolean) undrawn += 1
+        }
         dut.io.frame.valid #= false
         dut.io.stall #= 0
         StreamReadyRandomizer(dut.io.down, dut.clockDomain).setFactor((2 - rate).toFloat)
@@ -267,6 +271,9 @@ class RasterizerTest extends AnyFunSuite with Simulated {
         wrong.foreach(i => fail(s"seed $seed stalls $rate fragment $i: got ${got(i)}, should be ${expected.lift(i)}"))
         assert(got.length == expected.length, s"seed $seed stalls $rate")
         assert(got.exists(_ != "end"), s"seed $seed stalls $rate: no fragment")
+        val due = passes.map(model.raster.UndrawnTriangles(config, _).length)
+        assert(due.exists(_ > 0), s"seed $seed: every triangle is drawn")
+        assert(undrawn == due.sum, s"seed $seed stalls $rate: triangles that face away or have no area, $due")
       }
     }
   }

@@ -15,7 +15,8 @@ object IcebreakerTops {
   /** The highest SCK of the command port. */
   private val hostMHz = BigDecimal(48)
 
-  val raster: BoardTop = rasterOf("icebreaker-raster", RasterConfig())
+  /** Without the counter of triangles that are left out, for which the logic cells are short. */
+  val raster: BoardTop = rasterOf("icebreaker-raster", RasterConfig(countUndrawn = false))
 
   /** The rasterizer's top, built for a configuration. */
   def rasterOf(name: String, config: RasterConfig): BoardTop = BoardTop(

@@ -22,7 +22,7 @@ case class RasterTop(config: RasterConfig, panel: Panel, coreMHz: BigDecimal, te
   val clocking = new IcebreakerClock(io.clk, io.resetn, coreMHz, tech)
   val core = new ClockingArea(clocking.domain) {
     val slave = SpiSlave(LinkStatus.Magic, LinkStatus.Version)
-    val pipeline = RasterPipeline(config, tech = tech)
+    val pipeline = RasterPipeline(config, dropWhenFull = true, tech = tech)
     val display = SpiDisplay(config, panel, (coreMHz * 1000000).toLong, fast = fast)
     val through = PassThrough()
 

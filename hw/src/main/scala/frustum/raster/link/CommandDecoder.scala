@@ -18,6 +18,8 @@ import spinal.lib._
   *   - hardware built for fewer states, clear colours, vertices or triangles, or for narrower ranges, refuses the
   *     others
   *   - a refused vertex leaves its slot with a tag of another frame; a position out of range is not stored
+  *   - a triangle is refused that names a vertex or a state not sent in this frame: states are not kept from frame to
+  *     frame
   *   - a triangle costs about 55 cycles, a vertex 31
   */
 case class CommandDecoder(config: RasterConfig) extends Component {
@@ -34,6 +36,7 @@ case class CommandDecoder(config: RasterConfig) extends Component {
 
   val reader = CommandReader()
   val begin = BeginCommand(config)
+  val states = SentStates()
   val state = StateCommand(config)
   val vertices = VertexCommand(config)
   val vertexStore = VertexStore(config)
@@ -63,6 +66,7 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   // Of the frame.
   begin.io.free := draw.io.free
   begin.io.drawn := io.job.fire
+  states.io.fresh := begin.io.fresh
   vertices.io.fresh := begin.io.fresh
   triangles.io.fresh := begin.io.fresh
   triangles.io.tag := begin.io.tag
@@ -77,6 +81,17 @@ case class CommandDecoder(config: RasterConfig) extends Component {
   io.job.triangleCount := triangles.io.stored
   io.job.clearColor := begin.io.clearColor
   for ((end, tile) <- Seq(io.job.x0, io.job.x1, io.job.y0, io.job.y1).zip(begin.io.region)) end := tile
+
+  // Render states.
+  states.io.named.valid := reader.io.group.valid && reader.io.group.first
+  states.io.named.payload := reader.io.group.single
+  states.io.sends := state.io.sends
+  state.io.index := states.io.index
+  state.io.missing := states.io.missing
+  state.io.found := states.io.found
+  triangles.io.index := states.io.index
+  triangles.io.missing := states.io.missing
+  triangles.io.sent := states.io.sent
 
   // Vertices.
   vertices.io.passing.valid := reader.io.passing.valid && isMine(Command.Vertices) && !reader.io.group.first

@@ -10,13 +10,14 @@ import spinal.lib._
   *
   * @param dropWhenFull see [[Framer]]: true behind a source that cannot wait, such as [[SpiSlave]]
   */
-case class CommandLink(config: RasterConfig, depth: Int = 256, dropWhenFull: Boolean = true) extends Component {
+case class CommandLink(config: RasterConfig, depth: Int = 256, dropWhenFull: Boolean = false) extends Component {
   val io = new Bundle {
     val bytes = slave(Stream(Bits(8 bits)))
     val store = master(StoreBus(StoreLayout(config)))
     val texels = master(Stream(TexelWrite()))
     val job = master(Stream(FrameJob(config)))
     val jobDone = in Bool ()
+    val undrawn = in Bool () // a triangle of the job was
     val drawing = out Bool ()
     val status = out(LinkStatus())
   }
@@ -52,6 +53,8 @@ case class CommandLink(config: RasterConfig, depth: Int = 256, dropWhenFull: Boo
   io.status.trianglesRefused := counter(events.triangleRefused)
   io.status.incomplete := counter(events.incomplete)
   io.status.drawn := counter(io.jobDone)
+  io.status.counting := Bool(config.countUndrawn)
+  io.status.trianglesUndrawn := (if (config.countUndrawn) counter(io.undrawn) else U(0))
   io.status.error := RegInit(False) setWhen
     (dropped || events.vertexRefused || events.triangleRefused || events.incomplete)
 }

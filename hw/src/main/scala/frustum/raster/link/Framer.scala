@@ -14,10 +14,10 @@ import spinal.lib._
   *
   * Takes a byte per cycle except for three cycles after a length and one after a checksum.
   *
-  * @param dropWhenFull true: bytes are always taken and a command that does not fit the FIFO is dropped, for sources
-  *                     that cannot wait; false: the byte stream waits
+  * @param dropWhenFull false: the byte stream waits while the FIFO is full; true: bytes are always taken and a command
+  *                     that finds it full is dropped, for sources that cannot wait
   */
-case class Framer(depth: Int = 256, dropWhenFull: Boolean = true) extends Component {
+case class Framer(depth: Int = 256, dropWhenFull: Boolean = false) extends Component {
   require(depth >= 256, s"Framer: depth $depth cannot hold a command of ${Command.MaxWords} words and the margin")
   val io = new Bundle {
     val bytes = slave(Stream(Bits(8 bits)))

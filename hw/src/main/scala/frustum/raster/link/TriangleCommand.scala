@@ -1,13 +1,14 @@
 package frustum.raster.link
 
-import frustum.contract.raster.{RasterConfig, StoreLayout, StoredTriangle, StoredVertex, TrianglesHeadLayout}
+import frustum.contract.raster.{RasterConfig, RenderState, StoreLayout, StoredTriangle, StoredVertex}
 import frustum.raster.store.FieldBits
 import frustum.raster.store.FieldBits._
 import spinal.core._
 import spinal.lib._
 
 /** Executes `triangles`: reads the tags and positions of a triangle's corners, and writes the triangle if its corners
-  * belong to the frame and something of it is on the screen. About 50 cycles a triangle.
+  * and its render state belong to the frame and something of it is on the screen. About 50 cycles a triangle, in which
+  * [[SentStates]] finds the state before its result is used.
   *
   * The corners are read last corner first, see [[TriangleAssembly]]; `turn` moves the next corner's index to the place
   * of the last one.
@@ -17,6 +18,8 @@ case class TriangleCommand(config: RasterConfig) extends Component {
   val io = new Bundle {
     val up = slave(GroupPort())
     val turn = out Bool ()
+    val index = in UInt (log2Up(RenderState.Count) bits)
+    val missing, sent = in Bool () // see SentStates
     val tag = in Bits (StoredVertex.Tag.width bits)
     val fresh = in Bool () // no triangle of the frame has arrived yet
     val reads = master(Stream(UInt(layout.bankAddressBits bits)))
@@ -31,13 +34,10 @@ case class TriangleCommand(config: RasterConfig) extends Component {
   }
   val state = RegInit(State.idle)
   val group = io.up.group
-  val renderState = Reg(Bits(StoredTriangle.State.width bits))
-  val askedState = TrianglesHeadLayout.State.in(group.single)
-  val noSuchState = RegNext(askedState.dropLow(renderState.getWidth).orR) // the number of states is a power of two
   val corner = StoredTriangle.V2.in(group.words).asUInt
-  val full = RegNext(io.stored === config.maxTriangles)
+  val full = RegNext(if (isPow2(config.maxTriangles)) io.stored.msb else io.stored === config.maxTriangles)
   val triangle = new TriangleAssembly(config, io.tag, corner, io.answer.payload, state === State.response)
-  val refused = triangle.stale || (!triangle.nothing && full)
+  val refused = triangle.stale || !io.sent || (!triangle.nothing && full)
   val done = False // the current triangle is done
 
   io.reads.valid := state === State.read
@@ -46,15 +46,14 @@ case class TriangleCommand(config: RasterConfig) extends Component {
   io.writes.address := StoreAddress.triangle(layout, io.stored, (state === State.box).asUInt)
   io.writes.data := group.words
   when(state === State.box) {
-    StoredTriangle.State.put(io.writes.data, renderState)
+    StoredTriangle.State.put(io.writes.data, io.index.asBits)
     FieldBits.putAll(StoredTriangle.box, io.writes.data, triangle.boxBits)
   }
   io.turn := False
   io.refused := False
-  io.up.refuse := group.first && noSuchState
+  io.up.refuse := group.first && io.missing
   group.ready := group.first || done
 
-  when(group.valid && group.first)(renderState := askedState.resized)
   when(io.fresh) {
     io.arrived := 0
     io.stored := 0

@@ -10,4 +10,5 @@ case class TileJob(config: RasterConfig) extends Bundle {
   val tileY = UInt(5 bits)
   val triangle = UInt(config.triangleBits bits)
   val state = UInt(4 bits)
+  val first = Bool() // of the tiles that the triangle's box touches in this frame
 }

@@ -27,6 +27,7 @@ case class TriangleSetup(config: RasterConfig, tech: Tech = Tech.Generic) extend
     val busy = out Bool () // jobs or tokens are in flight
     val setUp = out Bool () // pulses when a triangle has been set up completely
     val moved = out Bool () // pulses when a triangle has been moved to a tile
+    val undrawn = out Bool () // pulses once for each triangle of the frame that faces away or has no area
   }
 
   val lookup = SlotLookup(config)
@@ -139,6 +140,7 @@ case class TriangleSetup(config: RasterConfig, tech: Tech = Tech.Generic) extend
   }
 
   io.setUp := False
+  io.undrawn := False
   val moved = False
   io.moved := RegNext(moved, False) // as the job leaves
   walker.io.start := False
@@ -166,7 +168,10 @@ case class TriangleSetup(config: RasterConfig, tech: Tech = Tech.Generic) extend
       is(State.Facing) {
         state := State.Normalise
         empty(slot) := area.nothing
-        when(area.nothing) { finish() }
+        when(area.nothing) {
+          io.undrawn := job.first
+          finish()
+        }
       }
       is(State.Normalise) {
         when(area.normal) { load(FetchProgram.Normal, State.GradientShift) } otherwise { area.shift() }

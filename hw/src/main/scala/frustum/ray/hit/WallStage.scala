@@ -48,7 +48,8 @@ class WallStage(scene: RayScene, walkers: RayWalkers, line: LockstepPipeline, st
   private val normals = (0 to 2).map(a => walkers.kept(s"direction$a")(d => d))
   private val first = OHMasking.first(select(HITS))
   select(WALL) := first
-  select(SURFACE) := {
+  select(SURFACE) := (if (scene.quads.isEmpty) first else surface)
+  private def surface = {
     val quad = Mux(first.msb, OHMasking.first(select(SIDES)), B(0, scene.quads.size bits))
     quad ## (first.msb && !quad.orR) ## first.dropHigh(1)
   }

@@ -138,7 +138,7 @@ object FitCommand extends CommandLine {
       }
       val costs = new UnitCosts(say)
       def cost(what: String, c: RasterConfig) = {
-        val u = costs(s"the pipeline $what")(RasterPipeline(c, tech = Tech.Ice40))
+        val u = costs(s"the pipeline $what")(RasterPipeline(c, dropWhenFull = true, tech = Tech.Ice40))
         (u.luts, u.flipFlops)
       }
       val (luts, flipFlops) = cost("as fitted", fitted)

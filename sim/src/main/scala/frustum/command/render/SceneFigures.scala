@@ -1,7 +1,7 @@
 package frustum.command.render
 
 import frustum.contract.raster.RasterConfig
-import frustum.driver.raster.PreparedFrame
+import frustum.driver.raster.{LeftOut, PreparedFrame}
 import frustum.engine.raster.RenderedFrame
 import frustum.driver.scene.Notice
 import frustum.judge.{EndToEndVerdict, Flip, FrameVerdict, ModelVerdict, Psnr, SnappingVerdict}
@@ -36,6 +36,7 @@ object EndToEndFigures {
 final case class FrameFigures(
     sceneTriangles: Int,
     trianglesDrawn: Int,
+    leftOut: LeftOut,
     passes: Int,
     fragments: Long,
     clocks: Option[Long],
@@ -43,6 +44,7 @@ final case class FrameFigures(
     busBytes: Option[Long],
     setUps: Option[Long],
     moves: Option[Long],
+    undrawn: Option[Long],
     pixelsDifferent: Option[Long],
     model: Option[ModelVerdict],
     squaredError: Double,
@@ -55,6 +57,7 @@ object FrameFigures {
   def apply(frame: PreparedFrame, drawn: RenderedFrame, v: FrameVerdict): FrameFigures = FrameFigures(
     frame.sceneTriangles,
     frame.trianglesDrawn,
+    frame.leftOut,
     frame.passes.length,
     v.fragments,
     drawn.clocks,
@@ -62,6 +65,7 @@ object FrameFigures {
     drawn.busBytes,
     drawn.setUps,
     drawn.moves,
+    drawn.undrawn,
     v.pixelsDifferent,
     v.model,
     Psnr.squaredError(v.picture, v.reference),

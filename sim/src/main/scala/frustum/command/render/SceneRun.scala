@@ -60,7 +60,8 @@ final case class SceneRun(
   private def emptyFrames(prepared: Seq[PreparedFrame]): Seq[Notice] = {
     val empty = prepared.indices.filter(i => scene.triangles.nonEmpty && EmptyView(prepared(i)))
     empty.headOption.map { i =>
-      Notice(s"${scene.place}: ${EmptyView.cause(scene, camera, turned(i), config)}", empty.length.toLong)
+      val causes = EmptyView.cause(scene, camera, turned(i), config) +: EmptyView.leftOut(prepared(i)).toSeq
+      Notice(s"${scene.place}: ${causes.mkString("; ")}", empty.length.toLong)
     }.toSeq
   }
 

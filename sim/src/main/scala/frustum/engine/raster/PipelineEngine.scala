@@ -29,7 +29,8 @@ final class PipelineEngine(options: EngineOptions, byteStall: Double = 0, pixelS
           clocks = Some(passes.map(_.clocks).sum),
           busBytes = Some(PipelineEngine.busBytes(frame)),
           setUps = Some(passes.map(_.setUps.toLong).sum),
-          moves = Some(passes.map(_.moves.toLong).sum)
+          moves = Some(passes.map(_.moves.toLong).sum),
+          undrawn = Some(passes.map(_.undrawn.toLong).sum)
         )
       }
       if (session.faulty) throw new IllegalStateException(s"the link refused what the driver sent: ${session.status}")

@@ -14,6 +14,7 @@ import scala.collection.mutable
 final case class DrawnPass(clocks: Long, events: Seq[PipelineEvent]) {
   def setUps: Int = events.count(_.kind == PipelineEvent.SetUp)
   def moves: Int = events.count(_.kind == PipelineEvent.Moved)
+  def undrawn: Int = events.count(_.kind == PipelineEvent.Undrawn)
 }
 
 /** Talks to a running [[PipelineTestbed]]: bytes in, passes out. To be made first thing in the simulation.
@@ -103,8 +104,12 @@ final class PipelineSession(dut: PipelineTestbed, seed: Long = 1, byteStall: Dou
   def status: String = {
     val s = dut.io.status
     s"accepted ${s.accepted.toInt}, dropped ${s.dropped.toInt}, vertices refused ${s.verticesRefused.toInt}, " +
-      s"triangles refused ${s.trianglesRefused.toInt}, incomplete ${s.incomplete.toInt}, drawn ${s.drawn.toInt}"
+      s"triangles refused ${s.trianglesRefused.toInt}, incomplete ${s.incomplete.toInt}, drawn ${s.drawn.toInt}, " +
+      s"triangles undrawn $undrawn"
   }
+
+  /** The link's counter of triangles that face away or have no area. */
+  def undrawn: Int = dut.io.status.trianglesUndrawn.toInt
 
   /** Whether the link has found fault with anything since reset. */
   def faulty: Boolean = dut.io.status.error.toBoolean

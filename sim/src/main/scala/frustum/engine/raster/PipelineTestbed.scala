@@ -18,7 +18,7 @@ case class PipelineTestbed(config: RasterConfig) extends Component {
     val seed = in UInt (32 bits)
     val status = out(LinkStatus())
   }
-  val pipeline = RasterPipeline(config, dropWhenFull = false, tech = Tech.Generic)
+  val pipeline = RasterPipeline(config, tech = Tech.Generic)
   val feeder = SimByteFeeder()
   val recorder = SimPixelRecorder(config)
   val events = SimEventRecorder(PipelineEvent.Count)
@@ -40,6 +40,7 @@ case class PipelineTestbed(config: RasterConfig) extends Component {
   events.io.pulses(PipelineEvent.Drawn) := pipeline.io.drawing.fall(False)
   events.io.pulses(PipelineEvent.SetUp) := pipeline.io.setUp
   events.io.pulses(PipelineEvent.Moved) := pipeline.io.moved
+  events.io.pulses(PipelineEvent.Undrawn) := pipeline.io.undrawn
   private val job = pipeline.rasterizer.setup.found // given back when it has been dealt with
   private val jobDone = job.valid.pull() && job.ready.pull()
   private val tileEnd = job.job.tileEnd.pull()
@@ -53,7 +54,7 @@ final case class PipelineEvent(kind: Int, time: Long)
 object PipelineEvent {
 
   /** A frame or pass starts, its store loaded; its last triangle is drawn; a triangle was set up whole; was moved to a
-    * tile; has no pixel in a tile that its box touches; no more triangles in a tile.
+    * tile; has no pixel in a tile that its box touches; no more triangles in a tile; a triangle faces away or has no area.
     */
   val Start = 0
   val Drawn = 1
@@ -61,6 +62,7 @@ object PipelineEvent {
   val Moved = 3
   val Missed = 4
   val TileEnd = 5
-  val Names = Seq("started", "drawn", "set up", "moved", "missed", "tile ends")
+  val Undrawn = 6
+  val Names = Seq("started", "drawn", "set up", "moved", "missed", "tile ends", "undrawn")
   val Count: Int = Names.length
 }

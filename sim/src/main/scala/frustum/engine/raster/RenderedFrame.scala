@@ -7,6 +7,7 @@ package frustum.engine.raster
   * @param clocksAtPins core clocks from the first command bit to the last display bit
   * @param busBytes     bytes of the frame's commands on the wire, textures not included
   * @param setUps       triangles set up whole, @param moves triangles moved to a tile; a triangle counts in every pass
+  * @param undrawn      triangles that the hardware left out because they face away or have no area, likewise
   */
 final case class RenderedFrame(
     image: Array[Int],
@@ -14,5 +15,6 @@ final case class RenderedFrame(
     clocksAtPins: Option[Long] = None,
     busBytes: Option[Long] = None,
     setUps: Option[Long] = None,
-    moves: Option[Long] = None
+    moves: Option[Long] = None,
+    undrawn: Option[Long] = None
 )

@@ -57,6 +57,7 @@ class RenderCommandTest extends AnyFunSuite {
       "clockMHz"
     ).forall(!report.obj.contains(_)))
     assert(report("triangles").num == 12 && report("trianglesDrawn").num == 6)
+    assert(report("trianglesFacingAway").num == 6 && report("trianglesWithoutArea").num == 0)
   }
 
   test("an animation has a picture for each frame, and they differ") {

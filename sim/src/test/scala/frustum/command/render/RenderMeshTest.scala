@@ -360,6 +360,7 @@ class RenderMeshTest extends AnyFunSuite {
         MeshPicture.draw(folder.resolve("m.obj"), "--cull", "back", "--eye", eye).notices
       )
       assert(n.length == 1 && n.head.contains("shows its back"))
+      assert(n.head.contains("2 face away, 0 have no area"))
     }
   }
 

@@ -5,6 +5,7 @@ import frustum.contract.raster.{FramePass, RasterConfig, TextureUpload}
 import frustum.driver.raster.Driver
 import frustum.engine.EngineSim
 import frustum.harness.Simulated
+import frustum.model.raster.UndrawnTriangles
 import org.scalatest.funsuite.AnyFunSuite
 import scala.util.Random
 
@@ -36,10 +37,11 @@ class PipelineEngineTest extends AnyFunSuite with Simulated {
       textures: Seq[TextureUpload],
       pass: FramePass,
       what: String
-  ): Unit = {
+  ): DrawnPass = {
     val image = new Array[Int](config.width * config.height)
-    session.take(pass, image)
+    val drawn = session.take(pass, image)
     Frames.assertEqual(config, image, Frames.model(config, textures, Seq(pass)), what)
+    drawn
   }
 
   for (
@@ -52,7 +54,12 @@ class PipelineEngineTest extends AnyFunSuite with Simulated {
       val passes = (0 until 6).map(Frames.random(random, config, _, count))
       simulate(config, seed, byteStall, pixelStall) { session =>
         (Driver.commands(texture) ++ passes.flatMap(Driver.commands)).foreach(session.send)
-        passes.foreach(p => check(session, config, Seq(texture), p, s"seed $seed, frame ${p.frame}"))
+        val undrawn = passes.map { p =>
+          val drawn = check(session, config, Seq(texture), p, s"seed $seed, frame ${p.frame}")
+          assert(drawn.undrawn == UndrawnTriangles(config, p).length, s"seed $seed, frame ${p.frame}")
+          drawn.undrawn
+        }
+        assert(session.undrawn == undrawn.sum % 256 && undrawn.sum > 0, session.status)
         assert(!session.faulty, session.status)
       }
     }

@@ -25,11 +25,10 @@ import scala.util.Random
 
 class CommandLinkTest extends AnyFunSuite with Simulated {
   private val small = RasterConfig(width = 80, height = 64, maxVertices = 50, maxTriangles = 40, textureTexels = 1024)
-  private lazy val compiled = FrustumSim.compile("CommandLink_small")(CommandLinkTop(small, dropWhenFull = false))
+  private lazy val compiled = FrustumSim.compile("CommandLink_small")(CommandLinkTop(small))
 
   private val usual = RasterConfig()
-  private lazy val compiledUsual =
-    FrustumSim.compile("CommandLink_default")(CommandLinkTop(usual, dropWhenFull = false))
+  private lazy val compiledUsual = FrustumSim.compile("CommandLink_default")(CommandLinkTop(usual))
 
   private def run(
       sim: SimCompiled[CommandLinkTop],
@@ -85,7 +84,7 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
         "texelFormat" -> 0
       ).bits("wrapS", mask = 1, value = 0).bits("wrapT", mask = 1, value = 0)
     )
-    val sim = FrustumSim.compile("CommandLink_fixed")(CommandLinkTop(config, dropWhenFull = false))
+    val sim = FrustumSim.compile("CommandLink_fixed")(CommandLinkTop(config))
     run(sim, config, traffic(config, 5, 20), 5, 0.2)
   }
 
@@ -97,8 +96,71 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
       ranges = VertexRanges(position = 8, repeats = 1, ratio = 1),
       clearColor = Some(0x7e21)
     )
-    val sim = FrustumSim.compile("CommandLink_scene")(CommandLinkTop(config, dropWhenFull = false))
+    val sim = FrustumSim.compile("CommandLink_scene")(CommandLinkTop(config))
     for ((stall, seed) <- Seq((0.0, 6), (0.3, 7))) run(sim, config, traffic(config, seed, 30), seed, stall)
+  }
+
+  test(
+    "a triangle that names a state not sent in this frame is refused and counted, whatever was sent in frames before"
+  ) {
+    val t = new LinkTraffic(small, new Random(9))
+    val triangle = PackedTriangle(0, 0, 1, 2).words
+    def corner(x: Int, y: Int) = PackedVertex(x, y, 0, 32768, 16, 0, 0, 0, 0, 0, 255).words
+    val vertices = (Command.Vertices, 0 +: Seq((0, 0), (640, 0), (0, 640)).flatMap((corner _).tupled))
+    def state(index: Int) = (Command.State, Seq(index, 0, 0))
+    def frame(number: Int, sent: Seq[Int], named: Int) =
+      Seq((Command.Begin, Seq(number, 0, 0x0001, 0x0001))) ++ sent.map(state) ++ Seq(
+        vertices,
+        (Command.Triangles, Seq(named) ++ triangle ++ triangle),
+        (Command.Draw, Seq(3, 2))
+      )
+    // Each state alone, then named without it, then all others, and all; both banks hold all by then.
+    val frames = (0 until RenderState.Count).flatMap(n =>
+      Seq(Seq(n) -> n, Nil -> n, (0 until RenderState.Count).filter(_ != n) -> n, (0 until RenderState.Count) -> n)
+    )
+    val stream = t.fill() ++ frames.zipWithIndex.flatMap { case ((sent, named), i) =>
+      t.bytes(frame(i, sent, named), errors = false)
+    }
+    val model = new LinkModel(small)
+    model.feed(stream)
+    val refused = frames.count { case (sent, named) => !sent.contains(named) }
+    assert(model.jobs.drop(2).map(_.triangleCount) == frames.map { case (sent, named) =>
+      if (sent.contains(named)) 2 else 0
+    })
+    assert(model.counters(0).trianglesRefused == 2 * refused)
+    for ((stall, seed) <- Seq((0.0, 9), (0.5, 10))) run(compiled, small, stream, seed, stall)
+  }
+
+  test("without being told otherwise a link has its source wait: nothing is lost while no job gets done") {
+    val begin = Command.encode(Command.Begin, Seq(1, 2, 0, 0))
+    val draw = Command.encode(Command.Draw, Seq(0, 0))
+    val texels = Command.encode(Command.Texels, 0 +: (0 until 100))
+    val stream = (begin ++ draw) ++ (begin ++ draw) ++ Seq.fill(20)(texels).flatten
+    compiled.doSim("waits", 11) { dut =>
+      val sink = new LinkSink(small, dut.clockDomain, dut.io.texels, dut.io.job, dut.io.jobDone, dut.io.rival, 0)
+      dut.io.bytes.valid #= false
+      sink.start()
+      sink.paused = true
+      SimTimeout(10L * 400000)
+      dut.clockDomain.forkStimulus(period = 10)
+      var taken = 0
+      fork {
+        for (byte <- stream) {
+          dut.io.bytes.valid #= true
+          dut.io.bytes.payload #= byte
+          dut.clockDomain.waitSamplingWhere(dut.io.bytes.ready.toBoolean)
+          taken += 1
+        }
+        dut.io.bytes.valid #= false
+      }
+      dut.clockDomain.waitSampling(20000)
+      assert(taken < stream.length && !dut.io.bytes.ready.toBoolean, s"$taken of ${stream.length} bytes were taken")
+      sink.paused = false
+      while (sink.done < 2 || taken < stream.length) dut.clockDomain.waitSampling(10)
+      dut.clockDomain.waitSampling(6000)
+      assert(LinkChecks.counters(dut.io.status) == LinkCounters(24, 0, 0, 0, 0, 2, 0))
+      assert(sink.texels.take(100).sameElements(0 until 100))
+    }
   }
 
   test("a byte flipped, lost or added anywhere costs one command at most and is counted") {
@@ -237,7 +299,8 @@ object LinkChecks {
     s.verticesRefused.toInt,
     s.trianglesRefused.toInt,
     s.incomplete.toInt,
-    s.drawn.toInt
+    s.drawn.toInt,
+    s.trianglesUndrawn.toInt
   )
 
   def same(config: RasterConfig, model: LinkModel, sink: LinkSink, where: String): Unit = {

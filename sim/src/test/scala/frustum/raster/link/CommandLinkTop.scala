@@ -10,7 +10,7 @@ import spinal.core.sim._
 import spinal.lib._
 
 /** The link with its store; `rival` comes before it at the store's port, to disturb it and to look inside. */
-case class CommandLinkTop(config: RasterConfig, dropWhenFull: Boolean) extends Component {
+case class CommandLinkTop(config: RasterConfig) extends Component {
   val layout = StoreLayout(config)
   val io = new Bundle {
     val bytes = slave(Stream(Bits(8 bits)))
@@ -20,7 +20,7 @@ case class CommandLinkTop(config: RasterConfig, dropWhenFull: Boolean) extends C
     val jobDone = in Bool ()
     val status = out(LinkStatus())
   }
-  val link = CommandLink(config, dropWhenFull = dropWhenFull)
+  val link = CommandLink(config)
   val store = Store(layout, 2, Tech.Generic)
   store.io.clients(0) <> io.rival
   store.io.clients(1) <> link.io.store
@@ -28,6 +28,7 @@ case class CommandLinkTop(config: RasterConfig, dropWhenFull: Boolean) extends C
   link.io.texels >> io.texels
   link.io.job >> io.job
   link.io.jobDone := io.jobDone
+  link.io.undrawn := False
   io.status := link.io.status
 }
 

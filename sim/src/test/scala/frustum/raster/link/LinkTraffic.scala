@@ -81,16 +81,20 @@ final class LinkTraffic(config: RasterConfig, random: Random) {
       first += n
       (Command.Vertices, at +: Seq.fill(n)(vertex()).flatten)
     }
+    val states = Seq.fill(random.nextInt(4))(
+      (Command.State, (if (oneIn(10)) random.nextInt(65536) else random.nextInt(16)) +: state())
+    )
+    val named = states.map(_._2.head)
+
+    /** Most triangles name a state of the frame. */
+    def stateIndex() = if (named.isEmpty || oneIn(4)) random.nextInt(16) else pick(named: _*)
     val groups = Seq.fill(1 + random.nextInt(3))(1 + random.nextInt(30))
     val triangles = groups.map { n =>
       (
         Command.Triangles,
-        (if (oneIn(15)) random.nextInt(65536) else random.nextInt(16)) +: Seq.fill(n)(indices(first)).flatten
+        (if (oneIn(15)) random.nextInt(65536) else stateIndex()) +: Seq.fill(n)(indices(first)).flatten
       )
     }
-    val states = Seq.fill(random.nextInt(4))(
-      (Command.State, (if (oneIn(10)) random.nextInt(65536) else random.nextInt(16)) +: state())
-    )
     val texels = Seq.fill(random.nextInt(2)) {
       val blocks = config.textureTexels / 16
       val at = if (oneIn(4)) pick(blocks - 1, blocks - 3, blocks, 65535, 4096, 4095) else random.nextInt(blocks)

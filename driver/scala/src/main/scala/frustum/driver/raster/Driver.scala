@@ -52,7 +52,7 @@ object Driver {
     val clipped = clipTriangles(scene, camera, options, config, states)
     val scaled = scaleW(clipped)
     val viewport = new Viewport(config)
-    val drawn = scaled.flatMap(t => place(t, states.states.indexOf(t.state), options.cullBack, viewport))
+    val (left, drawn) = scaled.partitionMap(t => place(t, states.states.indexOf(t.state), options.cullBack, viewport))
     val regions = new PassSplitter(config, states.states, scene.place).split(drawn.map(_._2))
     val passes = regions.zipWithIndex.map { case ((region, triangles), i) =>
       val (vertices, indexed) = share(triangles)
@@ -66,7 +66,8 @@ object Driver {
       drawn.map(_._1),
       scene.triangles.length,
       drawn.length,
-      regions.map(_._2.map(_.source))
+      regions.map(_._2.map(_.source)),
+      left.foldLeft(LeftOut())(_ + _)
     )
   }
 
@@ -129,7 +130,7 @@ object Driver {
     else triangles.map(t => t.copy(v = t.v.map(v => v.copy(clip = v.clip * scale))))
   }
 
-  /** Snaps a triangle to the screen and turns it clockwise; None when it is not to be drawn. Its front is seen where it
+  /** Snaps a triangle to the screen and turns it clockwise, or tells why it is not to be drawn. Its front is seen where it
     * turns counter-clockwise in window coordinates, whose y points upwards (OpenGL 2.1, 3.5.1): on the screen, whose y
     * points downwards, the area is negative there.
     */
@@ -138,13 +139,15 @@ object Driver {
       state: Int,
       cullBack: Boolean,
       viewport: Viewport
-  ): Option[(ClipTriangle, PackedCorners)] = {
+  ): Either[LeftOut, (ClipTriangle, PackedCorners)] = {
     def corners(t: ClipTriangle, offset: (Int, Int)) = t.v.map(viewport.pack(_, offset))
-    val area = { val p = corners(t, (0, 0)); viewport.area(p(0), p(1), p(2)) }
+    val snapped = corners(t, (0, 0))
+    val area = viewport.area(snapped(0), snapped(1), snapped(2))
     val turned = if (area < 0) t.copy(v = IndexedSeq(t.v(0), t.v(2), t.v(1))) else t
     for {
-      pixels <- viewport.pixels(corners(t, (0, 0)))
-      if area < 0 || (area > 0 && !cullBack)
+      _ <- Either.cond(area != 0, (), LeftOut(withoutArea = 1))
+      _ <- Either.cond(area < 0 || !cullBack, (), LeftOut(facingAway = 1))
+      pixels <- viewport.pixels(snapped).toRight(LeftOut(withoutPixel = 1))
     } yield {
       val p = corners(turned, RepeatRemoval.offset(turned))
       p.flatMap(_.fault)

@@ -16,6 +16,14 @@ object EmptyView {
     )
   }
 
+  /** How many triangles in view are not drawn, by cause, if there are any. */
+  def leftOut(frame: PreparedFrame): Option[String] = {
+    import frame.leftOut._
+    Option.when(frame.leftOut != LeftOut())(
+      s"of the triangles in view $facingAway face away, $withoutArea have no area, $withoutPixel hold no centre of a pixel"
+    )
+  }
+
   /** What takes all of a scene out of the picture, and what would help. */
   def cause(scene: Scene, camera: Camera, options: DrawOptions, config: RasterConfig): String = {
     val turn = Driver.turnOf(scene, options)

@@ -37,6 +37,20 @@ final case class ClipVertex(clip: Vector4, s: Double, t: Double, rgba: Vector4)
   */
 final case class ClipTriangle(v: IndexedSeq[ClipVertex], state: RenderState, source: Int = 0)
 
+/** Triangles, after clipping, that are not sent.
+  *
+  * @param facingAway
+  *   away from the viewer, where such are to be left out
+  * @param withoutArea
+  *   snapped to the screen
+  * @param withoutPixel
+  *   whose box holds no centre of a pixel of the screen
+  */
+final case class LeftOut(facingAway: Int = 0, withoutArea: Int = 0, withoutPixel: Int = 0) {
+  def +(o: LeftOut): LeftOut =
+    LeftOut(facingAway + o.facingAway, withoutArea + o.withoutArea, withoutPixel + o.withoutPixel)
+}
+
 /** A frame ready for any engine.
   *
   * @param textures
@@ -51,6 +65,8 @@ final case class ClipTriangle(v: IndexedSeq[ClipVertex], state: RenderState, sou
   *   triangles after clipping and culling, each counted once however many passes draw it
   * @param sources
   *   for each triangle of each pass, which of the scene's it is, or is a part of
+  * @param leftOut
+  *   triangles that are not drawn, by cause
   */
 final case class PreparedFrame(
     config: RasterConfig,
@@ -59,5 +75,6 @@ final case class PreparedFrame(
     clipTriangles: IndexedSeq[ClipTriangle],
     sceneTriangles: Int,
     trianglesDrawn: Int,
-    sources: Seq[IndexedSeq[Int]]
+    sources: Seq[IndexedSeq[Int]],
+    leftOut: LeftOut = LeftOut()
 )

@@ -34,7 +34,7 @@ object Command {
     0x02,
     "state",
     Seq(Part(StateHeadLayout), Part(RenderStateLayout)),
-    "Sets a render state of the frame."
+    "Sets a render state of the frame. No state is kept from the frame before."
   )
 
   val Vertices = Command(
@@ -48,8 +48,8 @@ object Command {
     0x04,
     "triangles",
     Seq(Part(TrianglesHeadLayout), Part(TriangleLayout, repeated = true)),
-    "Appends triangles; they are drawn in this order. A triangle that names a vertex not sent in this frame is " +
-      "refused and counted."
+    "Appends triangles; they are drawn in this order. A triangle that names a vertex or a render state not sent in " +
+      "this frame is refused and counted."
   )
 
   val Texels = Command(

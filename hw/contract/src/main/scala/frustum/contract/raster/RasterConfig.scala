@@ -11,6 +11,7 @@ import frustum.contract.video.ScreenTiles
   * @param ranges  of the vertices' numbers
   * @param slots   triangles that stay set up from tile to tile
   * @param clearColor RGB565, if all frames begin with this one; hardware then keeps none
+  * @param countUndrawn whether triangles that face away or have no area are counted for the host
   */
 final case class RasterConfig(
     width: Int = 240,
@@ -24,7 +25,8 @@ final case class RasterConfig(
     formats: PlaneFormats = PlaneFormats(),
     ranges: VertexRanges = VertexRanges(),
     clearColor: Option[Int] = None,
-    slots: Int = 6
+    slots: Int = 6,
+    countUndrawn: Boolean = true
 ) extends ScreenTiles {
   require(tileLog2Width >= 3 && tileLog2Width <= 5, s"tile width 2^$tileLog2Width is outside 8..32")
   require(tileLog2Height >= 3 && tileLog2Height <= 5, s"tile height 2^$tileLog2Height is outside 8..32")

@@ -43,6 +43,7 @@ final class CommandDecoder(config: RasterConfig, stateLayout: StoredStateLayout 
   private var vertices = 0 // arrived
   private var triangles = 0 // arrived
   private var stored = 0
+  private val sentStates = collection.mutable.Set.empty[Int]
 
   def execute(opcode: Int, words: Seq[Int]): Unit = {
     val done = Command.all.find(_.opcode == opcode) match {
@@ -67,6 +68,7 @@ final class CommandDecoder(config: RasterConfig, stateLayout: StoredStateLayout 
     vertices = 0
     triangles = 0
     stored = 0
+    sentStates.clear()
     open
   }
 
@@ -74,6 +76,7 @@ final class CommandDecoder(config: RasterConfig, stateLayout: StoredStateLayout 
     val (index, state) = (StateHeadLayout.Index.of(w), w.drop(StateHeadLayout.words))
     val inRange = index < RenderState.Count && config.fixed.accepts(state, stateLayout.wire)
     if (inRange && !config.fixed.whole) store(pairs(state))(layout.state(index, _))
+    if (inRange) sentStates += index
     inRange
   }
 
@@ -124,7 +127,7 @@ final class CommandDecoder(config: RasterConfig, stateLayout: StoredStateLayout 
       v < config.maxVertices && vertex(v)(CommandDecoder.tagWord) != CommandDecoder.Unwritten &&
       StoredVertex.Tag.of(vertex(v).map(_.toInt)) == tag
     }
-    if (!sent) trianglesRefused += 1
+    if (!sent || !sentStates(t.state)) trianglesRefused += 1
     else {
       val words = corners.map(vertex(_).map(_.toInt))
       TriangleBox(config, words.map(StoredVertex.X.of), words.map(StoredVertex.Y.of)).foreach { box =>

@@ -9,7 +9,8 @@ final case class LinkCounters(
     verticesRefused: Int,
     trianglesRefused: Int,
     incomplete: Int,
-    drawn: Int
+    drawn: Int,
+    trianglesUndrawn: Int
 )
 
 /** The way in as a whole: bytes of the wire to store, texel memory, jobs and counters, bit for bit as
@@ -24,8 +25,8 @@ final class LinkModel(config: RasterConfig) {
 
   def jobs: Seq[Job] = decoder.jobs.toSeq
 
-  /** @param drawn jobs done so far */
-  def counters(drawn: Int): LinkCounters = {
+  /** @param drawn jobs done so far, @param undrawn triangles of theirs that face away or have no area */
+  def counters(drawn: Int, undrawn: Int = 0): LinkCounters = {
     def wrap(count: Long) = (count & 0xff).toInt
     LinkCounters(
       wrap(decoder.accepted),
@@ -33,7 +34,8 @@ final class LinkModel(config: RasterConfig) {
       wrap(decoder.verticesRefused),
       wrap(decoder.trianglesRefused),
       wrap(decoder.incomplete),
-      wrap(drawn)
+      wrap(drawn),
+      wrap(undrawn)
     )
   }
 }
