@@ -100,7 +100,7 @@ writeClasspath := {
 
 /** Every command of the workbench by its name in sbt's own shell; alone on the command line ./sbt takes them itself. */
 // project/command.sh reads this line
-val commandNames = "demo render verilog bitstream bench pong voxel play budgets chart stability fit mutate"
+val commandNames = "demo render verilog bitstream bench pong voxel play budgets chart stability fit mutate report"
 Global / commands ++= commandNames.split(' ').toSeq.map { name =>
   Command.args(name, "<args>") { (state, args) =>
     val quoted = args.map(a => if (a.exists(_.isWhitespace)) "\"" + a + "\"" else a)

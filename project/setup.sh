@@ -94,6 +94,15 @@ prepare() {
       want 'command -v icetime >/dev/null && [ -e /usr/share/fpga-icestorm/chipdb/chipdb-5k.txt ]' \
         fpga-icestorm fpga-icestorm-chipdb
       ;;
+    " play "*)
+      # `play raster` draws by the model unless it is told otherwise.
+      case " $1 " in
+        *" --engine model "* | *" --engine reference "*) ;;
+        " play raster "*) [[ $1 != *--engine* ]] || simulator ;;
+        *) simulator ;;
+      esac
+      want '[ -z "${DISPLAY-}" ] || ls "$(dirname "$(readlink -f "$(command -v java)")")"/../lib/libawt_xawt.so >/dev/null 2>&1' default-jre
+      ;;
     *" --engine model "* | *" --engine reference "*) ;;
     " fit "*)
       simulator
@@ -107,10 +116,6 @@ prepare() {
     " chart "*" --no-synthesis "*) ;;
     " chart "*) python_venv ;;
     " demo "* | " render "* | " bench "* | " pong "* | " voxel "*) simulator ;;
-    " play "*)
-      simulator
-      want '[ -z "${DISPLAY-}" ] || ls "$(dirname "$(readlink -f "$(command -v java)")")"/../lib/libawt_xawt.so >/dev/null 2>&1' default-jre
-      ;;
     " quick ") test_parts ;;
     *test* | *Test*)
       simulator

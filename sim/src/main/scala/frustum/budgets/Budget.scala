@@ -6,7 +6,7 @@ package frustum.budgets
   * @param bound,today infinite where a picture equals its reference
   */
 final case class Budget(scene: String, metric: String, bound: Double, today: Double) {
-  private val higherIsBetter = metric.endsWith("psnr")
+  val higherIsBetter: Boolean = metric.endsWith("psnr")
   private def worse(a: Double, b: Double) = if (higherIsBetter) a < b else a > b
 
   def met: Boolean = !worse(today, bound)

@@ -12,6 +12,7 @@ import frustum.command.mutate.MutateCommand
 import frustum.command.play.PlayCommand
 import frustum.command.pong.PongCommand
 import frustum.command.render.RenderCommand
+import frustum.command.report.ReportCommand
 import frustum.command.stability.StabilityCommand
 import frustum.command.verilog.VerilogCommand
 import frustum.command.voxel.VoxelCommand
@@ -36,7 +37,8 @@ object Main {
       ChartCommand,
       StabilityCommand,
       FitCommand,
-      MutateCommand
+      MutateCommand,
+      ReportCommand
     )
 
   def main(args: Array[String]): Unit = sys.exit(run(args.toSeq))

@@ -29,7 +29,7 @@ final class PongJudge(config: PongPipelineConfig) {
       val motion = config.motion(game.motion)
       val pixels = rays.get()(motion)
       val rgb = pixels.map(_.rgb)
-      Expected(model.atPins(i => rgb(i), game), judge(motion, pixels.map(_.objectId), rgb))
+      Expected(model.atPins(rgb, game), judge(motion, pixels.map(_.objectId), rgb))
     }
     last = Some((game, made))
     made

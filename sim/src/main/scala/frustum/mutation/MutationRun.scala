@@ -22,9 +22,10 @@ final case class MutationResult(
 
 /** Runs a plan on every mutant of its unit, all in one compiled simulation.
   *
-  * @param say told of each step
+  * @param say   told of each step
+  * @param watch told what is done with how many mutants, and called after each of them
   */
-final class MutationRun(yosys: Tool, folder: Path, say: String => Unit) {
+final class MutationRun(yosys: Tool, folder: Path, say: String => Unit, watch: (String, Int) => () => Unit) {
   private val mutations = new Mutations(yosys, folder)
 
   def apply(plan: MutationPlan, count: Int, seed: Long): MutationResult = {
@@ -40,11 +41,21 @@ final class MutationRun(yosys: Tool, folder: Path, say: String => Unit) {
         throw new IllegalStateException(
           s"${plan.name}: the netlist without a mutation does not do what its model does"
         )
-      kills = mutants.filter(m => fails(dut, m.number))
+      val tried = watch(s"${plan.name}, simulating mutants", mutants.length)
+      kills = mutants.filter { m =>
+        val fault = fails(dut, m.number)
+        tried()
+        fault
+      }
     }
     val alive = mutants.diff(kills)
-    say(s"${plan.name}: ${kills.length} killed, comparing the other ${alive.length} with the unit")
-    val (equivalent, survivors) = alive.partition(m => mutations.isEquivalent(plan.name, m.number))
+    say(s"${plan.name}: ${kills.length} killed, comparing the other ${alive.length} with the unit by proof")
+    val compared = watch(s"${plan.name}, comparing with the unit", alive.length)
+    val (equivalent, survivors) = alive.partition { m =>
+      val same = mutations.isEquivalent(plan.name, m.number)
+      compared()
+      same
+    }
     MutationResult(plan.name, plan.steps.length, kills, equivalent, survivors)
   }
 

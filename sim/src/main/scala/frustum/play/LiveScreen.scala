@@ -1,21 +1,23 @@
 package frustum.play
 
 import frustum.contract.InputError
-import java.awt.image.BufferedImage
-import java.awt.{Color, Dimension, Graphics, Graphics2D, GraphicsEnvironment, RenderingHints}
+import java.awt.image.{BufferedImage, DataBufferInt}
+import java.awt.{Color, Dimension, Graphics, Graphics2D, GraphicsEnvironment, KeyboardFocusManager, RenderingHints}
 import java.util.Locale
 import javax.swing.{JFrame, JPanel, SwingUtilities, WindowConstants}
 import scala.util.control.NonFatal
 
-/** A window that shows the picture of a simulated system and takes its keys. To be used from the simulation's
+/** A window that shows the picture of a simulated system and takes keys and mouse. To be used from the simulation's
   * thread: `show`, then `keys`, until it is no longer `open`.
   *
   * @param scale whole multiple of the picture that the window starts with
   */
-final class LiveScreen private (name: String, width: Int, height: Int, scale: Int) extends AutoCloseable {
+final class LiveScreen private (name: String, width: Int, height: Int, scale: Int) extends PlayScreen {
   private val image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)
+  private val pixels = image.getRaster.getDataBuffer.asInstanceOf[DataBufferInt].getData
   private val rate = new FrameRate
   private val pressed = new PressedKeys
+  private val mouse = new PointerListener
   @volatile private var open = true
 
   private val panel = new JPanel {
@@ -35,14 +37,23 @@ final class LiveScreen private (name: String, width: Int, height: Int, scale: In
     val f = new JFrame(name)
     f.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE)
     f.addWindowListener(new java.awt.event.WindowAdapter {
-      override def windowClosed(e: java.awt.event.WindowEvent): Unit = open = false
+      override def windowClosed(e: java.awt.event.WindowEvent): Unit = {
+        open = false
+        KeyboardFocusManager.getCurrentKeyboardFocusManager.removeKeyEventDispatcher(pressed)
+      }
     })
-    f.addKeyListener(pressed)
+    KeyboardFocusManager.getCurrentKeyboardFocusManager.addKeyEventDispatcher(pressed)
     f.addFocusListener(pressed)
+    panel.addMouseListener(mouse)
+    panel.addMouseMotionListener(mouse)
+    panel.addMouseWheelListener(mouse)
     f.setContentPane(panel)
     f.pack()
     f.setLocationByPlatform(true)
     f.setVisible(true)
+    // Without a window manager nobody gives a new window the keyboard.
+    f.toFront()
+    f.requestFocus()
     f
   }
 
@@ -54,12 +65,11 @@ final class LiveScreen private (name: String, width: Int, height: Int, scale: In
 
   def isOpen: Boolean = open
 
-  /** Keys down now or pressed since they were last asked for. */
   def keys(): Set[Int] = pressed.take()
+  override def pointer(): PointerMoves = mouse.take()
 
-  /** @param state what the title tells beside name and frame rate */
   def show(rgb: Array[Int], state: String = ""): Unit = {
-    image.synchronized { image.setRGB(0, 0, width, height, rgb, 0, width) }
+    image.synchronized { System.arraycopy(rgb, 0, pixels, 0, pixels.length) }
     rate.frame(System.nanoTime)
     val title = LiveScreen.title(name, rate.perSecond, state)
     SwingUtilities.invokeLater { () => frame.setTitle(title); panel.repaint() }
@@ -67,7 +77,7 @@ final class LiveScreen private (name: String, width: Int, height: Int, scale: In
 
   def framesPerSecond: Double = rate.perSecond
 
-  def close(): Unit = if (open) onEventThread(frame.dispose())
+  override def close(): Unit = if (open) onEventThread(frame.dispose())
 }
 
 object LiveScreen {

@@ -5,6 +5,7 @@ import frustum.command.CommandRunner
 import frustum.harness.{Simulated, Synthesised}
 import java.nio.file.Paths
 import org.scalatest.funsuite.AnyFunSuite
+import scala.collection.mutable
 
 /** The vectors of `mutate`: the unit without a mutation does what its model says, and few mutants do. */
 class MutationTest extends AnyFunSuite {
@@ -19,7 +20,16 @@ class MutationTest extends AnyFunSuite {
     Simulated,
     Synthesised
   ) {
-    val r = new MutationRun(yosys, folder, info(_))(DepthStagePlan(1), 40, seed = 2)
+    val watched = mutable.LinkedHashMap.empty[String, (Int, Int)] // by task: mutants told, mutants done
+    def watch(task: String, mutants: Int): () => Unit = {
+      watched(task) = (mutants, 0)
+      () => watched(task) = watched(task).copy(_2 = watched(task)._2 + 1)
+    }
+    val r = new MutationRun(yosys, folder, info(_), watch)(DepthStagePlan(1), 40, seed = 2)
+    assert(
+      watched.values.toSeq == Seq((r.count, r.count), (r.count - r.killed.length, r.count - r.killed.length)),
+      watched
+    )
     assert(r.count > 30 && r.killed.length >= 0.75 * r.count, r)
     assert(r.killPercent >= 90, r)
   }

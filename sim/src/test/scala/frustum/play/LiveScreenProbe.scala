@@ -1,6 +1,6 @@
 package frustum.play
 
-import java.awt.event.KeyEvent
+import java.awt.event.{InputEvent, KeyEvent}
 import java.awt.{Rectangle, Robot}
 
 /** Shows a picture, presses keys, looks at the screen, closes the window; prints what it saw. */
@@ -23,14 +23,28 @@ object LiveScreenProbe {
       val s = seen
       s.count(_ == 0xc02040) == width * height * 2 && s.count(_ == 0x1080f0) == width * height * 2
     })
-    // Without a window manager nothing gives the window the keyboard but the mouse.
-    val s = seen
-    val at = s.indexOf(0xc02040)
-    robot.mouseMove(at % 1024 + 10, at / 1024 + 10)
+    // Without a window manager nobody but the window itself asks for the keyboard; the mouse is elsewhere.
+    robot.mouseMove(1000, 740)
+    Thread.sleep(200)
     robot.keyPress(KeyEvent.VK_UP)
     println("pressed " + until(screen.keys().contains(KeyEvent.VK_UP)))
     robot.keyRelease(KeyEvent.VK_UP)
     println("released " + until(!screen.keys().contains(KeyEvent.VK_UP)))
+    val at = seen.indexOf(0xc02040)
+    val (x, y) = (at % 1024 + 20, at / 1024 + 20)
+    screen.pointer()
+    var moves = PointerMoves()
+    robot.mouseMove(x, y)
+    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK)
+    robot.mouseMove(x + 12, y + 7)
+    println("dragged " + until {
+      val more = screen.pointer()
+      moves = moves.copy(dragX = moves.dragX + more.dragX, dragY = moves.dragY + more.dragY)
+      moves == PointerMoves(dragX = 12, dragY = 7)
+    })
+    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
+    robot.mouseWheel(2)
+    println("wheel " + until(screen.pointer().wheel > 0))
     println("rate " + (screen.framesPerSecond > 1))
     screen.close()
     println("closed " + until(!screen.isOpen))

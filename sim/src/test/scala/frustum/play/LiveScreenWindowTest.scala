@@ -4,7 +4,7 @@ import org.scalatest.funsuite.AnyFunSuite
 
 /** The window itself, on a virtual display. */
 class LiveScreenWindowTest extends AnyFunSuite {
-  test("picture, keys, frame rate and closing") {
+  test("picture, keys without a window manager, mouse, frame rate and closing") {
     assume(VirtualDisplay.isThere, "Xvfb is not installed")
     val said = VirtualDisplay.run("frustum.play.LiveScreenProbe", 60)
     assert(
@@ -12,6 +12,8 @@ class LiveScreenWindowTest extends AnyFunSuite {
         "picture true",
         "pressed true",
         "released true",
+        "dragged true",
+        "wheel true",
         "rate true",
         "closed true"
       )

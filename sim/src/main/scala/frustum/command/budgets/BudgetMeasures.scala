@@ -3,7 +3,7 @@ package frustum.command.budgets
 import frustum.budgets.{Budget, Measured}
 import frustum.command.pong.PongScenes
 import frustum.command.render.{EndToEndBounds, RenderReport, SceneRun}
-import frustum.command.voxel.{JudgedView, JudgedViews, VoxelOptions, VoxelReport, VoxelScenes}
+import frustum.command.voxel.{JudgedViews, ViewFigures, VoxelOptions, VoxelReport, VoxelScenes}
 import frustum.contract.raster.RasterConfig
 import frustum.contract.video.VideoMode
 import frustum.contract.voxel.LeapField
@@ -75,8 +75,8 @@ object BudgetMeasures {
   private def hills(leaps: LeapField): ujson.Obj = {
     val o = VoxelOptions(size = (160, 120), engine = VoxelEngines.byName("model"), leaps = Some(leaps))
     val scene = VoxelScenes(o)
-    var drawn = Seq.empty[JudgedView]
-    new JudgedViews(scene, o.engine, highlight = false, o.seed).draw(drawn :+= _)
+    var drawn = Seq.empty[ViewFigures]
+    new JudgedViews(scene, o.engine, highlight = false, o.seed).draw(view => drawn :+= view.figures)
     VoxelReport.json("budgets", o.seed, o.engine, scene.config, drawn)
   }
 

@@ -2,7 +2,7 @@ package frustum.command.budgets
 
 import frustum.budgets.{Budget, BudgetTable}
 import frustum.BuildInfo
-import frustum.command.common.{Arguments, CommandLine, Page, Progress}
+import frustum.command.common.{Arguments, CommandLine, Progress}
 import frustum.files.{InfinityAsNull, OutputFile}
 import scopt.OParser
 import java.nio.file.{Path, Paths}
@@ -81,16 +81,8 @@ object BudgetsCommand extends CommandLine {
         )
       )
     )
-    val lines = rows.map { b =>
-      val mark = if (b.met) "" else " class=\"over\""
-      s"<tr$mark><td>${b.scene}</td><td>${b.metric}</td><td>${text(b.bound)}</td><td>${text(b.today)}</td></tr>"
-    }
-    val page = Page(
-      "Frustum: budgets",
-      s"<table><tr><th>scene</th><th>metric</th><th>bound</th><th>today</th></tr>\n${lines.mkString("\n")}\n</table>"
-    )
     OutputFile.writeText(out.resolve("budgets.csv"), csv.mkString("", "\n", "\n"))
     OutputFile.writeText(out.resolve("budgets.json"), ujson.write(report, indent = 2) + "\n")
-    OutputFile.writeText(out.resolve("index.html"), page)
+    OutputFile.writeText(out.resolve("index.html"), BudgetsPage(rows, failures))
   }
 }

@@ -78,6 +78,8 @@ object ChartCommand extends CommandLine {
     "charts" -> charts.map { c =>
       ujson.Obj(
         "name" -> c.name,
+        "title" -> c.title,
+        "note" -> c.note,
         "costAxis" -> c.costAxis,
         "errorAxis" -> c.errorAxis,
         "points" -> c.points.map { p =>

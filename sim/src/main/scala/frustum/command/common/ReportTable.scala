@@ -5,28 +5,70 @@ import java.util.Locale
 /** The key figures of reports as text: what the table on the terminal and the page show. */
 object ReportTable {
 
-  /** Heading, and the figure as it is shown; "-" where the report has none. */
-  val columns: Seq[(String, ujson.Obj => String)] = Seq(
-    "triangles" -> (r => whole(r, "trianglesDrawn")),
-    "fragments" -> (r => whole(r, "fragments")),
-    "clocks" -> (r => whole(r, "clocksPerFrame")),
-    "clocks at pins" -> (r => whole(r, "clocksPerFrameAtPins")),
-    "frames/s at pins" -> (r => decimal(r, "framesPerSecondAtPins")),
-    "hardware != model" -> (r => whole(r, "hardwareVsModel", "pixelsDifferent")),
-    "coverage wrong" -> (r => whole(r, "modelVsReference", "coverageWrong")),
-    "texels wrong" -> texels,
-    "order wrong" -> (r => whole(r, "modelVsReference", "depthOrderWrong")),
-    "objects wrong" -> rays,
-    "PSNR dB" -> (r =>
+  /** A figure of the reports.
+    *
+    * @param meaning for readers who know neither the project nor the field
+    * @param show    the figure as it is shown; "-" where the report has none
+    */
+  final case class Column(heading: String, meaning: String)(val show: ujson.Obj => String)
+
+  val columns: Seq[Column] = Seq(
+    Column("triangles", "triangles that were drawn, after clipping and culling")(r => whole(r, "trianglesDrawn")),
+    Column("fragments", "pixels that the triangles cover, summed over the triangles")(r => whole(r, "fragments")),
+    Column("cycles", "cycles of the engine's clock for a frame, with nothing to wait for")(r =>
+      whole(r, "clocksPerFrame")
+    ),
+    Column("cycles at pins", "cycles from the first bit of a frame's commands to the display's last bit")(r =>
+      whole(r, "clocksPerFrameAtPins")
+    ),
+    Column("frames/s at pins", "the board's clock frequency over the cycles at its pins")(r =>
+      decimal(r, "framesPerSecondAtPins")
+    ),
+    Column("hardware != model", "pixels in which the simulated hardware and its bit-exact model differ; has to be 0")(
+      r =>
+        whole(r, "hardwareVsModel", "pixelsDifferent")
+    ),
+    Column(
+      "coverage wrong",
+      "pixels that are missing, too many or drawn twice, against exact arithmetic on the same vertices; has to be 0"
+    )(r => whole(r, "modelVsReference", "coverageWrong")),
+    Column(
+      "texels wrong",
+      "fragments that read another texel of the texture than exact arithmetic does, of those judged; " +
+        "within 1/1024 texel of a border none is judged"
+    )(texels),
+    Column(
+      "order wrong",
+      "pixels that show a triangle that by exact depths lies behind the one that should show: depths have 16 bits"
+    )(r => whole(r, "modelVsReference", "depthOrderWrong")),
+    Column(
+      "objects wrong",
+      "rays that show another object, silhouette, shadow, cell, block, face or texel than exact arithmetic; has to be 0"
+    )(rays),
+    Column("PSNR dB", "signal-to-noise ratio of the picture against the reference beside it; higher is better")(r =>
       if (r.obj.contains("psnr")) decimal(r, "psnr") else decimal(r, "modelVsReference", "psnr")
     ),
-    "end to end wrong" -> endToEnd,
-    "end to end PSNR dB" -> (r => decimal(r, "endToEnd", "psnr")),
-    "FLIP" -> (r => value(r, "endToEnd", "flip").fold("-")(v => format("%.4f", v.num)))
+    Column(
+      "end to end wrong",
+      "pixels that show another triangle, and pixels that show another texel, than the referee finds, which draws the " +
+        "scene from the user's input and shares no code with what is judged; not judged within 1/8 pixel of an edge and " +
+        "1/64 texel of a border"
+    )(endToEnd),
+    Column("end to end PSNR dB", "signal-to-noise ratio of the picture against the referee's; higher is better")(r =>
+      decimal(r, "endToEnd", "psnr")
+    ),
+    Column(
+      "FLIP",
+      "how different the picture and the referee's look to a person who flips between them, from 0 (equal) to 1; the " +
+        "measure of Andersson and others, HPG 2020"
+    )(r => value(r, "endToEnd", "flip").fold("-")(v => format("%.4f", v.num)))
   )
 
+  /** The columns that some of the reports have a figure for. */
+  def shown(reports: Seq[ujson.Obj]): Seq[Column] = columns.filter(c => reports.exists(c.show(_) != "-"))
+
   def apply(reports: Seq[ujson.Obj]): String = {
-    val rows = ("scene" +: columns.map(_._1)) +: reports.map(r => r("scene").str +: columns.map(_._2(r)))
+    val rows = ("scene" +: columns.map(_.heading)) +: reports.map(r => r("scene").str +: columns.map(_.show(r)))
     val widths = rows.transpose.map(_.map(_.length).max)
     rows.map(row =>
       row.zip(widths).zipWithIndex.map { case ((cell, width), column) =>

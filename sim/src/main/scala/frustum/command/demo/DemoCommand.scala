@@ -58,7 +58,7 @@ object DemoCommand extends CommandLine {
       (figures, report)
     }
     // Where they have an engine of that name.
-    val pong = PongEngines.find(o.engine.name).map(_ => PongDemo(o.out, o.seed))
+    val pong = PongEngines.find(o.engine.name).map(PongDemo(o.out, o.seed, _))
     val voxel = VoxelEngines.find(o.engine.name).map(VoxelDemo(o.out, _))
     val others = pong ++ voxel
     val reports = shown.map(_._2) ++ others.map(_._1)

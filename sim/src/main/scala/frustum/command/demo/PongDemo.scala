@@ -1,5 +1,6 @@
 package frustum.command.demo
 
+import frustum.command.pong.PongRecording.PongEntry
 import frustum.command.pong.{PongRecording, PongReport, PongScenes}
 import frustum.contract.video.VideoMode
 import frustum.judge.PongJudge
@@ -13,16 +14,16 @@ object PongDemo {
   private val Frames = 16
 
   /** The report, and the exit code. */
-  def apply(out: Path, seed: Long): (ujson.Obj, Int) = {
+  def apply(out: Path, seed: Long, entry: PongEntry): (ujson.Obj, Int) = {
     val config = PongScenes.config(VideoMode.Vga640x480, None)
     import config.mode.{height, width}
-    val recording = PongRecording(config, AutoPlayer(_), seed, Frames, out.resolve("pong.gif")) {
+    val recording = PongRecording(config, AutoPlayer(_), seed, Frames, out.resolve("pong.gif"), entry = entry) {
       (index, game, picture) =>
         if (index == Frames - 1) {
           // The reference too in the format of the pins and under the score: what differs then is what was drawn
           // wrongly.
           val exact = PongJudge.reference(config, config.motion(game.motion))
-          val reference = Picture.ofFormat(new PongModel(config).atPins(exact(_), game), config.format)
+          val reference = Picture.ofFormat(new PongModel(config).atPins(exact, game), config.format)
           DemoPictures.write(out, "pong", width, height, picture, reference)
         }
     }

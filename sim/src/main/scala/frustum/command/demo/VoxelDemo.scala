@@ -1,6 +1,6 @@
 package frustum.command.demo
 
-import frustum.command.voxel.{JudgedView, JudgedViews, VoxelOptions, VoxelReport, VoxelScenes}
+import frustum.command.voxel.{JudgedViews, ViewFigures, VoxelOptions, VoxelReport, VoxelScenes}
 import frustum.driver.linear.Vector3
 import frustum.engine.voxel.VoxelEngineEntry
 import java.nio.file.Path
@@ -18,9 +18,11 @@ object VoxelDemo {
     )
     val scene = VoxelScenes(o)
     import scene.config.{height, width}
-    var drawn = Option.empty[JudgedView]
-    new JudgedViews(scene, engine, highlight = false, o.seed).draw(view => drawn = Some(view))
-    DemoPictures.write(out, "voxel", width, height, drawn.get.picture, drawn.get.reference)
+    var drawn = Option.empty[ViewFigures]
+    new JudgedViews(scene, engine, highlight = false, o.seed).draw { view =>
+      DemoPictures.write(out, "voxel", width, height, view.picture, view.reference)
+      drawn = Some(view.figures)
+    }
     val report = VoxelReport.json("demo", o.seed, engine, scene.config, drawn.toSeq)
     (report, VoxelReport.write(out.resolve("voxel.json"), report, drawn.toSeq))
   }

@@ -2,7 +2,7 @@ package frustum.command.mutate
 
 import frustum.boards.flow.{Ice40Tools, MissingTool}
 import frustum.BuildInfo
-import frustum.command.common.{Arguments, CommandLine, Page}
+import frustum.command.common.{Arguments, CommandLine, Page, Progress}
 import frustum.contract.InputError
 import frustum.files.OutputFile
 import frustum.mutation.{MutantNetlist, MutationPlan, MutationPlans, MutationResult, MutationRun}
@@ -59,7 +59,7 @@ object MutateCommand extends CommandLine {
     def say(step: String): Unit = println(s"$name: $step")
     val results =
       try {
-        val run = new MutationRun(Ice40Tools.find(say).yosys, o.out.resolve("build"), say)
+        val run = new MutationRun(Ice40Tools.find(say).yosys, o.out.resolve("build"), say, watch)
         o.unit.fold(MutationPlans.all)(Seq(_)).map { case (unit, plan) =>
           unit -> run(plan(o.seed), o.mutants, o.seed)
         }
@@ -80,6 +80,17 @@ object MutateCommand extends CommandLine {
       )
     }
     if (weak.isEmpty) 0 else 1
+  }
+
+  /** A bar, or lines, for so many mutants. */
+  private def watch(task: String, mutants: Int): () => Unit = {
+    val progress = Progress(s"$name $task", mutants)
+    var left = mutants
+    () => {
+      progress.step()
+      left -= 1
+      if (left == 0) progress.close()
+    }
   }
 
   private def json(o: MutateOptions, results: Seq[(String, MutationResult)]) = ujson.Obj(

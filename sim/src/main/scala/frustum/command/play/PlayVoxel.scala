@@ -1,33 +1,35 @@
 package frustum.command.play
 
-import frustum.command.voxel.VoxelScene
+import frustum.command.voxel.{VoxelScene, VoxelScenes}
 import frustum.contract.arithmetic.IntVector
 import frustum.contract.video.Crosshair
 import frustum.contract.voxel.{SeenFace, VoxelCamera, VoxelConfig}
 import frustum.demos.voxel.{CameraProgram, VoxelRules}
 import frustum.driver.voxel.VoxelView
 import frustum.engine.EngineSim
-import frustum.engine.voxel.VoxelSession
+import frustum.engine.voxel.{VoxelEngines, VoxelSession}
 import frustum.model.demos.voxel.{PlayerCamera, VoxelPlayer}
 import frustum.model.voxel.VoxelModel
 import frustum.play.{LiveScreen, VoxelKeys}
-import java.util.Locale
 
 /** `play voxel`: walk, look, place and destroy in a world of blocks. Player and camera are the model's, which the
   * hardware's equal bit for bit; the picture is the simulated pipeline's, or the model's.
   */
 object PlayVoxel {
+  val Engines: Seq[String] = Seq("hardware", "model")
+  private val Size = (160, 120)
 
-  /** @param frames ends after so many; None: when the window is closed */
-  def apply(scene: VoxelScene, hardware: Boolean, fly: Boolean, frames: Option[Int], seed: Long): Int = {
+  def apply(o: PlayOptions): Int = {
+    val hardware = o.engineOf(VoxelEngines, Engines).kind.simulated
+    val scene = VoxelScenes(o.voxel.copy(seed = o.seed, size = o.size.getOrElse(Size)))
     LiveScreen.require()
     println(VoxelKeys.help)
     if (hardware)
-      EngineSim.run(VoxelSession.compile(scene.config, scene.assets), None, seed) { dut =>
+      EngineSim.run(VoxelSession.compile(scene.config, scene.assets), None, o.seed) { dut =>
         val session = new VoxelSession(dut)
-        play(scene, fly, frames, Some(session))
+        play(scene, o.fly, o.frames, Some(session))
       }
-    else play(scene, fly, frames, None)
+    else play(scene, o.fly, o.frames, None)
   }
 
   private def play(
@@ -66,10 +68,7 @@ object PlayVoxel {
         )
         shown += 1
       }
-      val rate = shown * 1e9 / (System.nanoTime - started)
-      println(
-        s"$shown frames, ${"%.1f".formatLocal(Locale.ROOT, rate)} a second, ${player.refused} edits refused"
-      )
+      println(PlayCommand.summaryOf(shown, started, s"${player.refused} edits refused"))
       0
     } finally screen.close()
   }

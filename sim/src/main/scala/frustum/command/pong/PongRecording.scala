@@ -2,17 +2,25 @@ package frustum.command.pong
 
 import frustum.command.common.Progress
 import frustum.demos.pong.PongPipelineConfig
-import frustum.engine.pong.{PongBoard, PongEngines, PongMeasures, PongSetting}
+import frustum.engine.{Engine, EngineEntry}
+import frustum.engine.pong.{PongBoard, PongEngines, PongFrame, PongSetting}
 import frustum.judge.{PongFigures, PongJudge}
 import frustum.model.demos.pong.{PongButtons, PongGame}
 import frustum.picture.{AnimatedGif, Picture}
 import frustum.play.PlayedGame
 import java.nio.file.Path
 
-/** A game on the simulated board: what was measured on it, and what the judge found. */
-final case class PongRecording(measures: PongMeasures, figures: PongFigures, judged: Int, seconds: Double)
+/** A game on an engine: its last frame, with what was measured until then, and what the judge found. */
+final case class PongRecording(
+    engine: PongRecording.PongEntry,
+    last: PongFrame,
+    figures: PongFigures,
+    judged: Int,
+    seconds: Double
+)
 
 object PongRecording {
+  type PongEntry = EngineEntry[PongSetting, Engine[PongButtons, PongFrame]]
 
   /** A tick is two frames, a thirtieth of a second: hundredths that add up to it. */
   private def delays: Iterator[Int] = Iterator.continually(Seq(3, 3, 4)).flatten
@@ -29,16 +37,17 @@ object PongRecording {
       frames: Int,
       gif: Path,
       board: PongBoard = PongBoard.all.head,
-      every: Int = 1
+      every: Int = 1,
+      entry: PongEntry = PongEngines.default
   )(each: (Int, PongGame, Array[Int]) => Unit): PongRecording = {
     val judge = new PongJudge(config)
     val times = delays
     val started = System.nanoTime
     val progress = Progress("pong", frames)
     val (shown, played) = PlayedGame.frames(player).take(frames).duplicate
-    var measures = Option.empty[PongMeasures]
+    var last = Option.empty[PongFrame]
     try AnimatedGif.write(gif, config.mode.width, config.mode.height) { film =>
-        PongEngines.default.make(PongSetting(config, board, seed)).draw(played.map(_._2)) { frame =>
+        entry.make(PongSetting(config, board, seed)).draw(played.map(_._2)) { frame =>
           val (index, game) = (frame.index, shown.next()._1)
           if (index % every == 0) {
             val picture = Picture.ofFormat(frame.atPins, config.format)
@@ -46,11 +55,11 @@ object PongRecording {
             if (every > 1 || index % 2 == 0) film.add(picture, times.next())
             judge.add(game, frame.atPins)
           }
-          measures = Some(frame.measures)
+          last = Some(frame)
           progress.step()
         }
       }
     finally progress.close()
-    PongRecording(measures.get, judge.figures(), (frames + every - 1) / every, (System.nanoTime - started) / 1e9)
+    PongRecording(entry, last.get, judge.figures(), (frames + every - 1) / every, (System.nanoTime - started) / 1e9)
   }
 }

@@ -9,6 +9,7 @@ import frustum.engine.raster.{EngineOptions, RasterEngineEntry, RasterEngines}
 import frustum.driver.scene.Notice
 import frustum.files.Notices
 import frustum.judge.{EndToEndJudge, FrameJudge, FrameVerdict}
+import scala.collection.mutable
 
 /** A scene on its way through driver, engine and judges.
   *
@@ -25,40 +26,52 @@ final case class SceneRun(
     engineOptions: EngineOptions
 ) {
 
-  /** Draws and judges every frame; `each` is handed one after the other, so that no more than one picture is
-    * kept. Whatever is wrong with the input shows before the first is drawn.
+  /** Draws and judges every frame as it comes; `each` is handed one after the other, so that no more pictures are kept
+    * than the engine is ahead. Whatever is wrong with the input shows before the first is drawn: every frame is
+    * prepared twice, which takes less than keeping it.
     */
   def figures(each: (Int, FrameVerdict) => Unit): SceneFigures = {
-    val prepared: Seq[PreparedFrame] = (0 until frames).map { i =>
-      Driver.prepare(scene, camera, turned(i), config, i)
-    }
-    val notices = scene.notices ++ emptyFrames(prepared)
+    val first = prepared(0)
+    val notices = scene.notices ++ emptyFrames(first)
     Notices.print(notices)
     println(
-      s"${scene.name}: ${prepared.head.trianglesDrawn} triangles, " +
+      s"${scene.name}: ${first.trianglesDrawn} triangles, " +
         s"${config.width} x ${config.height}, engine ${entry.name}" +
         (if (entry.kind.atPins) s", display ${engineOptions.panel.name}" else "")
     )
-    val started = System.nanoTime
-    val rendered = entry.make(engineOptions).drawAll(prepared)
-    val seconds = (System.nanoTime - started) / 1e9
-    val model = if (entry.kind == EngineKind.Reference) None else RasterEngines.model
-    val judge = new FrameJudge(model, entry.kind.simulated)
+    val judge =
+      new FrameJudge(if (entry.kind == EngineKind.Reference) None else RasterEngines.model, entry.kind.simulated)
+    val taken = mutable.Queue.empty[PreparedFrame] // by the engine, perhaps in a thread of its own; not judged yet
+    val works = (0 until frames).iterator.map { i =>
+      val frame = if (i == 0) first else prepared(i)
+      taken.synchronized(taken += frame)
+      frame
+    }
+    val verdicts = mutable.ArrayBuffer.empty[FrameFigures]
+    var judging = 0L
     val progress = Progress(scene.name, frames)
-    val verdicts =
-      try prepared.zip(rendered).zipWithIndex.map { case ((frame, drawn), i) =>
-          val verdict = judge.judge(frame, drawn, Some(EndToEndJudge.view(scene, camera, turned(i), config)))
-          each(i, verdict)
-          progress.step()
-          FrameFigures(frame, drawn, verdict)
-        }
-      finally progress.close()
-    SceneFigures(scene.name, entry.name, config, verdicts, seconds, notices)
+    val started = System.nanoTime
+    try entry.make(engineOptions).draw(works) { drawn =>
+        val since = System.nanoTime
+        val frame = taken.synchronized(taken.dequeue())
+        val i = verdicts.length
+        val verdict = judge.judge(frame, drawn, Some(EndToEndJudge.view(scene, camera, turned(i), config)))
+        each(i, verdict)
+        verdicts += FrameFigures(frame, drawn, verdict)
+        progress.step()
+        judging += System.nanoTime - since
+      }
+    finally progress.close()
+    val seconds = (System.nanoTime - started - judging) / 1e9
+    SceneFigures(scene.name, entry.name, config, verdicts.toSeq, seconds, notices)
   }
 
+  private def prepared(frame: Int): PreparedFrame = Driver.prepare(scene, camera, turned(frame), config, frame)
+
   /** Frames in which nothing is to be seen, by the cause of the first of them. */
-  private def emptyFrames(prepared: Seq[PreparedFrame]): Seq[Notice] = {
-    val empty = prepared.indices.filter(i => scene.triangles.nonEmpty && EmptyView(prepared(i)))
+  private def emptyFrames(first: PreparedFrame): Seq[Notice] = {
+    def isEmpty(i: Int) = EmptyView(if (i == 0) first else prepared(i))
+    val empty = if (scene.triangles.isEmpty) Nil else (0 until frames).filter(isEmpty)
     empty.headOption.map { i =>
       val causes = EmptyView.cause(scene, camera, turned(i), config) +: EmptyView.leftOut(prepared(i)).toSeq
       Notice(s"${scene.place}: ${causes.mkString("; ")}", empty.length.toLong)

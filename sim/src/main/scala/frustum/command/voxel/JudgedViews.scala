@@ -8,7 +8,7 @@ import frustum.reference.voxel.IdealVoxelPicture
 
 /** A view as it was drawn, and what was found.
   *
-  * @param reference the ideal picture, 0xRRGGBB row by row
+  * @param reference the ideal picture with the engine's colours, 0xRRGGBB row by row
   * @param counts of the model's rays; none where the reference drew
   * @param pixelsDifferent of the hardware from the model
   */
@@ -19,8 +19,20 @@ final case class JudgedView(
     pixelsDifferent: Option[Long]
 ) {
   def picture: Array[Int] = drawn.picture
-  def squaredError: Double = Psnr.squaredError(picture, reference)
+
+  /** What is known of it, its pictures left behind. */
+  def figures: ViewFigures =
+    ViewFigures(drawn.cycles, drawn.cyclesAtPins, counts, pixelsDifferent, Psnr.squaredError(picture, reference))
 }
+
+/** The figures of a view, see [[JudgedView]] and [[frustum.engine.voxel.RenderedView]]. */
+final case class ViewFigures(
+    cycles: Option[Long],
+    cyclesAtPins: Option[Long],
+    counts: Option[VoxelCounts],
+    pixelsDifferent: Option[Long],
+    squaredError: Double
+)
 
 /** The views of a scene on their way through an engine and the judges. Refuses at once what the engine does not take.
   */
@@ -43,7 +55,8 @@ final class JudgedViews(scene: VoxelScene, entry: VoxelEngineEntry, highlight: B
       val different = pixels.indices.count(n => pairs.exists { case (is, due) => is(n) != due(n) })
       JudgedView(
         drawn,
-        IdealVoxelPicture(config, assets, world, view).picture(),
+        // Of no more bits than the engine's colours have: what differs then is what was drawn.
+        engine.expected(IdealVoxelPicture(config, assets, world, view).picture()).head,
         Some(judge.picture(view.camera(config), view, pixels)),
         Option.when(entry.kind.simulated)(different.toLong)
       )

@@ -24,12 +24,12 @@ object VoxelCommand extends CommandLine {
     println(
       s"voxel: ${views.length} view(s) of a world of ${config.size}, ${config.width}x${config.height}, ${o.engine.name}"
     )
-    val drawn = mutable.ArrayBuffer.empty[JudgedView]
+    val drawn = mutable.ArrayBuffer.empty[ViewFigures]
     val progress = Progress("voxel", views.length)
     try judged.draw { view =>
         val file = fileOf(o, drawn.length)
         Picture.writePng(file, config.width, config.height, view.picture)
-        drawn += view
+        drawn += view.figures
         progress.step()
       }
     finally progress.close()

@@ -15,9 +15,8 @@ object VoxelReport {
       seed: Long,
       engine: VoxelEngineEntry,
       c: VoxelConfig,
-      views: Seq[JudgedView]
+      views: Seq[ViewFigures]
   ): ujson.Obj = {
-    val drawn = views.map(_.drawn)
     val report = ujson.Obj(
       "command" -> command,
       "version" -> BuildInfo.version,
@@ -26,23 +25,23 @@ object VoxelReport {
       "scene" -> "voxel",
       "width" -> c.width,
       "height" -> c.height,
-      "frames" -> drawn.length
+      "frames" -> views.length
     )
     sum(views).foreach { n =>
       report("rays") = n.rays.toDouble
       report("steps") = n.steps.toDouble
       report("stepsPerRay") = n.steps.toDouble / n.rays
       report("plainSteps") = n.plainSteps.toDouble
-      if (drawn.forall(_.cycles.isDefined)) {
+      if (views.forall(_.cycles.isDefined)) {
         val clock = Clock.ofTop(engine.top)
-        val clocks = drawn.flatMap(_.cycles).sum.toDouble
-        report("clocksPerFrame") = clocks / drawn.length
+        val clocks = views.flatMap(_.cycles).sum.toDouble
+        report("clocksPerFrame") = clocks / views.length
         report("clocksPerStep") = clocks / n.steps
-        report("framesPerSecond") = clock.mhz * 1e6 * drawn.length / clocks
-        if (drawn.forall(_.cyclesAtPins.isDefined)) {
-          val atPins = drawn.flatMap(_.cyclesAtPins).sum.toDouble
-          report("clocksPerFrameAtPins") = atPins / drawn.length
-          report("framesPerSecondAtPins") = clock.mhz * 1e6 * drawn.length / atPins
+        report("framesPerSecond") = clock.mhz * 1e6 * views.length / clocks
+        if (views.forall(_.cyclesAtPins.isDefined)) {
+          val atPins = views.flatMap(_.cyclesAtPins).sum.toDouble
+          report("clocksPerFrameAtPins") = atPins / views.length
+          report("framesPerSecondAtPins") = clock.mhz * 1e6 * views.length / atPins
           report("raysPerSecond") = clock.mhz * 1e6 * n.rays / clocks
           report("raysPerSecondAtPins") = clock.mhz * 1e6 * n.rays / atPins
         }
@@ -55,17 +54,17 @@ object VoxelReport {
       report("maxDirectionErrorPixels") = n.maxDirectionErrorPixels
     }
     report("psnr") =
-      InfinityAsNull.write(Psnr.of(views.map(_.squaredError).sum, c.pixels.toLong * drawn.length))
+      InfinityAsNull.write(Psnr.of(views.map(_.squaredError).sum, c.pixels.toLong * views.length))
     if (views.forall(_.pixelsDifferent.isDefined))
       report("hardwareVsModel") =
         ujson.Obj("pixelsDifferent" -> views.flatMap(_.pixelsDifferent).sum.toDouble)
     report
   }
 
-  private def sum(views: Seq[JudgedView]): Option[VoxelCounts] = views.flatMap(_.counts).reduceOption(_ + _)
+  private def sum(views: Seq[ViewFigures]): Option[VoxelCounts] = views.flatMap(_.counts).reduceOption(_ + _)
 
   /** Writes the report and says what must be zero and is not; gives the exit code. */
-  def write(file: Path, report: ujson.Obj, views: Seq[JudgedView]): Int = {
+  def write(file: Path, report: ujson.Obj, views: Seq[ViewFigures]): Int = {
     OutputFile.writeText(file, ujson.write(report, indent = 2) + "\n")
     val different = views.flatMap(_.pixelsDifferent).sum
     val failures = sum(views).toSeq.flatMap(_.failures) ++

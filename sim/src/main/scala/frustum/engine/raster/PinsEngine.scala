@@ -4,7 +4,7 @@ import frustum.contract.InputError
 import frustum.contract.raster.RasterConfig
 import frustum.contract.video.Panel
 import frustum.driver.raster.{Driver, PreparedFrame}
-import frustum.engine.{Engine, EngineSim}
+import frustum.engine.{Engine, EngineSim, SideBySide}
 import spinal.core.sim.SimCompiled
 import java.nio.file.Path
 
@@ -50,17 +50,19 @@ object PinsEngine {
     EngineSim.compile(s"Pins_${panel.name}_${EngineSim.nameOf(config)}", wave)(PinsTestbed(config, panel))
 }
 
-/** The board's top at its pins, and its Stream core for the figures that the display's pace hides. Both must draw the
-  * same picture. Takes all works before the first frame, since each of the two simulations draws them.
+/** The board's top at its pins, and beside it, in a thread of its own, its Stream core for the figures that the
+  * display's pace hides. Both must draw the same picture. Takes works ahead as [[PipelineEngine]] does.
   */
 final class HardwareEngine(options: EngineOptions) extends Engine[PreparedFrame, RenderedFrame] {
   def draw(works: Iterator[PreparedFrame])(each: RenderedFrame => Unit): Unit = {
-    val frames = works.toSeq
-    val pins = new PinsEngine(options).drawAll(frames)
-    val core = new PipelineEngine(options.copy(wave = None)).drawAll(frames)
-    pins.zip(core).zipWithIndex.foreach { case ((p, c), i) =>
+    val (forPins, forCore) = works.duplicate
+    val pins = new PinsEngine(options)
+    val core = new PipelineEngine(options.copy(wave = None))
+    var index = 0
+    SideBySide[RenderedFrame, RenderedFrame](pins.draw(forPins), core.draw(forCore)) { (p, c) =>
       if (!p.image.sameElements(c.image))
-        throw new IllegalStateException(s"frame $i differs between pins and Stream core")
+        throw new IllegalStateException(s"frame $index differs between pins and Stream core")
+      index += 1
       each(c.copy(image = p.image, clocksAtPins = p.clocksAtPins))
     }
   }

@@ -13,13 +13,19 @@ import java.nio.file.Path
   * @param seed of whatever is random, such as stalls
   * @param wave file that takes the waveform of a simulated engine
   * @param panel display at the pins
+  * @param live each work is taken when the frame before has been handed over, for works that depend on it
   */
-final case class EngineOptions(seed: Long, wave: Option[Path], panel: Panel = Panel.Ili9341)
+final case class EngineOptions(
+    seed: Long,
+    wave: Option[Path],
+    panel: Panel = Panel.Ili9341,
+    live: Boolean = false
+)
 
 /** The engines of triangles, and the model that the judges run beside them. */
 object RasterEngines
     extends EngineTable(
-      new RasterEngineEntry("hardware", Board)(new HardwareEngine(_)),
+      new RasterEngineEntry("hardware", Board)(o => if (o.live) new PinsEngine(o) else new HardwareEngine(o)),
       new RasterEngineEntry("pipeline", Pipeline)(new PipelineEngine(_)),
       new RasterEngineEntry("model", Model)(_ => new PassEngine(new RasterModel(_))),
       new RasterEngineEntry("reference", Reference)(_ => new PassEngine(new ReferenceRenderer(_)))

@@ -1,6 +1,6 @@
 package frustum.model.ray
 
-import frustum.contract.ray.{RayChecker, RayImage, RayMotion, RayPaint, RayProgram, RayScene, RayShade, RaySolid, Wall}
+import frustum.contract.ray.{RayMotion, RayPaint, RayProgram, RayScene, RayShade, Wall}
 import frustum.model.ray.program.RaySetup
 import frustum.model.ray.shade.SphereShade
 
@@ -52,21 +52,8 @@ class RayPicture(scene: RayScene, width: Int, height: Int) {
     }.flatten
   }
 
-  private def darken(color: Int, half: Boolean): Int = if (half) (color >> 1) & 0x7f7f7f else color
-
-  /** What a wall or quad shows where it is hit, its forms being the coordinates above its low corner times n. */
-  private def paint(paint: RayPaint, w: Wall, forms: Seq[Int], n: Long): Int = {
-    def cell(j: Int) = (value(forms(j)) / (n << paint.cellBits)).toInt
-    paint match {
-      case RaySolid(color)      => color
-      case image: RayImage      => image.texel(cell(w.column), cell(w.row))
-      case RayChecker(cellBits) =>
-        (0 to 2).map { a =>
-          val j = w.across.indexOf(a)
-          if (if (j < 0) w.bit(room, cellBits) else (cell(j) & 1) == 1) 0xff0000 >> 8 * a else 0
-        }.sum
-    }
-  }
+  private def paint(paint: RayPaint, w: Wall, forms: Seq[Int], n: Long): Int =
+    SurfacePaint(paint, w, room, j => value(forms(j)), n)
 
   private def pixel(): RayPixel = {
     val hitSpheres = spheres.indices.filter(i => value(spheres(i)._1) >= 0 && value(spheres(i)._2) > 0)
@@ -108,7 +95,7 @@ class RayPicture(scene: RayScene, width: Int, height: Int) {
           case Some(i) => paint(scene.quads(i).paint, w, quads(i), n)
           case None    => paint(room.paints(w.index), w, across(w.index), n)
         }
-        RayPixel(darken(color, shadowed), quad.fold(1)(2 + _))
+        RayPixel(if (shadowed) SurfacePaint.darkened(color) else color, quad.fold(1)(2 + _))
     }
   }
 }

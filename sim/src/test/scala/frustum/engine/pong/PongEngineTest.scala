@@ -34,7 +34,7 @@ class PongEngineTest extends AnyFunSuite with Simulated {
       val wanted = last.filter(_._1 == game).fold(model.frame(game).toSeq)(_._2)
       last = Some((game, wanted))
       assert(f.atPins.toSeq == wanted, s"frame ${f.index}")
-      run = Some(f.measures)
+      run = f.measures
     }
     assert(run.get.frames == frames && run.get.syncErrors == 0)
     run.get

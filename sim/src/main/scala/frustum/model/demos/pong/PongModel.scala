@@ -1,13 +1,14 @@
 package frustum.model.demos.pong
 
 import frustum.demos.pong.PongPipelineConfig
-import frustum.model.ray.RayPicture
-import frustum.model.video.{OrderedDither, TextOverlay}
+import frustum.model.ray.StillCamera
+import frustum.model.video.{DitheredScreen, TextOverlay}
 
 /** Bit-exact model of [[frustum.demos.pong.PongPipeline]]: the picture of a state of the game. */
 class PongModel(config: PongPipelineConfig) {
   import config.mode
-  private lazy val rays = new RayPicture(config.scene, mode.width, mode.height)
+  private lazy val rays = new StillCamera(config.scene, mode.width, mode.height)
+  private val screen = new DitheredScreen(mode.width, mode.height, config.format)
 
   /** What the overlay writes. */
   def text(game: PongGame): TextOverlay = TextOverlay(
@@ -18,16 +19,7 @@ class PongModel(config: PongPipelineConfig) {
   )
 
   /** Any 24-bit picture, row by row, as it leaves at the pins. */
-  def atPins(rgb: Int => Int, game: PongGame): Array[Int] = {
-    val overlay = text(game)
-    Array.tabulate(mode.width * mode.height) { i =>
-      val (x, y) = (i % mode.width, i / mode.width)
-      OrderedDither(overlay(rgb(i), x, y), config.format, x, y)
-    }
-  }
+  def atPins(rgb: Array[Int], game: PongGame): Array[Int] = screen(rgb, text(game))
 
-  def frame(game: PongGame): Array[Int] = {
-    val pixels = rays(config.motion(game.motion))
-    atPins(i => pixels(i).rgb, game)
-  }
+  def frame(game: PongGame): Array[Int] = atPins(rays(config.motion(game.motion)), game)
 }
