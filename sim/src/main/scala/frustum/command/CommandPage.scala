@@ -71,12 +71,12 @@ object CommandPage {
     "## Vertex",
     s"${VertexLayout.words} words, ${2 * VertexLayout.words} bytes (`PackedVertex`); bits not named are ignored.",
     fields(VertexLayout),
-    "The centre of the pixel i columns right of and j rows below the top left one is at x = 16 i + 8, y = 16 j + 8. A pixel " +
-      "is drawn where its centre lies in the triangle; on an edge, where that is a top or a left one. So triangles that share an " +
-      "edge draw each pixel once.",
-    "`s` and `t` are not divided by w: the hardware multiplies them by 1/w, interpolates and divides again. A coordinate of 0 is " +
-      "the border before the first texel, and what is exactly a texel's border belongs to the texel above it, within " +
-      "[limits](numbers.md#what-is-exact-and-what-is-not).",
+    "The centre of the pixel i columns right of and j rows below the top left one is at x = 16 i + 8, y = 16 j + 8. " +
+      "A pixel is drawn where its centre lies in the triangle; on an edge, where that is a top or a left one. So " +
+      "triangles that share an edge draw each pixel once.",
+    "`s` and `t` are not divided by w: the hardware multiplies them by 1/w, interpolates and divides again. A " +
+      "coordinate of 0 is the border before the first texel, and what is exactly a texel's border belongs to the " +
+      "texel above it, within [limits](numbers.md#what-is-exact-and-what-is-not).",
     "A vertex outside these ranges is refused: it is counted, and every triangle that names it is refused as well. " +
       "Without perspective (orthographic views, screen-space drawing) give every vertex the same q, for example " +
       s"mantissa 32768, exponent 16: w = 1."

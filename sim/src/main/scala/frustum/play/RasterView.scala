@@ -101,8 +101,9 @@ final case class RasterView(
 
 object RasterView {
   val help: String =
-    "keys: arrows turn, + and - zoom, l switches the light, w a s d move it, c leaves out back faces, r starts again; " +
-      "mouse: drag turns, wheel zooms, drag with shift or the right button moves the light; close the window to end"
+    "keys: arrows turn, + and - zoom, l switches the light, w a s d move it, c leaves out back faces, r starts " +
+      "again; mouse: drag turns, wheel zooms, drag with shift or the right button moves the light; close the window " +
+      "to end"
 
   /** Of a frame. */
   private val KeyDegrees = 3.0

@@ -67,10 +67,11 @@ class LauncherTest extends AnyFunSuite {
 
   test("sbt's own commands and tasks are left to sbt") {
     val own =
-      "about alias boot clean client compile completions console consoleQuick copyResources crossScalaVersions dependencyTree " +
-        "doc early eval evicted exit export fgRun full help history init inspect last load new onFailure package plugins plz " +
-        "runner print projects project publish publishLocal publishM2 quick quit reboot reload rollback run runMain scalac session " +
-        "set settings shell show shutdown sbtn skip start tasks test testOnly testQuick update version writeClasspath"
+      "about alias boot clean client compile completions console consoleQuick copyResources crossScalaVersions " +
+        "dependencyTree doc early eval evicted exit export fgRun full help history init inspect last load new " +
+        "onFailure package plugins plz runner print projects project publish publishLocal publishM2 quick quit " +
+        "reboot reload rollback run runMain scalac session set settings shell show shutdown sbtn skip start tasks " +
+        "test testOnly testQuick update version writeClasspath"
     for (
       word <- own.split(' ').toSeq ++ Seq(
         "~test",

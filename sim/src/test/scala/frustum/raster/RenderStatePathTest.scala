@@ -13,7 +13,7 @@ import frustum.contract.raster.{
 }
 import frustum.harness.{FrustumSim, Simulated}
 import frustum.model.raster.link.{CommandDecoder => DecoderModel}
-import frustum.raster.link.{CommandReader, StateCommand, StorePort, StoreWrite}
+import frustum.raster.link.{CommandReader, SentStates, StateCommand, StorePort, StoreWrite}
 import frustum.raster.scan.{DrawToken, RenderStateLoader}
 import frustum.raster.store.{RenderStateWord, Store}
 import org.scalatest.funsuite.AnyFunSuite
@@ -46,6 +46,7 @@ case class RenderStatePath(config: RasterConfig, stored: StoredStateLayout) exte
     val current = out(RenderStateWord())
   }
   val reader = CommandReader()
+  val states = SentStates()
   val command = StateCommand(config, stored)
   val port = StorePort(layout)
   val store = Store(layout, clients = 2)
@@ -57,6 +58,13 @@ case class RenderStatePath(config: RasterConfig, stored: StoredStateLayout) exte
   reader.io.group >> command.io.up.group
   reader.io.refuse := command.io.up.refuse
   io.refused := reader.io.refused
+  states.io.fresh := False
+  states.io.named.valid := reader.io.group.valid && reader.io.group.first
+  states.io.named.payload := reader.io.group.single
+  states.io.sends := command.io.sends
+  command.io.index := states.io.index
+  command.io.missing := states.io.missing
+  command.io.found := states.io.found
   port.io.write << command.io.writes
   port.io.read.valid := False
   port.io.read.payload := 0

@@ -56,15 +56,15 @@ object PlantedFaults {
 
   private def aboutY(v: Vector3, degrees: Double) = Matrix4.rotationY(toRadians(degrees)).direction(v)
 
-  private def given(r: Request)(change: Request => Request): PreparedFrame = change(r).prepare
+  private def prepared(r: Request)(change: Request => Request): PreparedFrame = change(r).prepare
 
   private def seenBy(r: Request)(change: Camera => Camera): PreparedFrame =
-    given(r)(_.copy(scene = r.scene.copy(camera = change(r.scene.camera))))
+    prepared(r)(_.copy(scene = r.scene.copy(camera = change(r.scene.camera))))
 
   private def reversed(t: Triangle) = t.copy(v1 = t.v2, v2 = t.v1)
 
   private def lightFrom(r: Request)(change: Vector3 => Vector3) =
-    given(r)(_.copy(options = r.options.copy(light = r.options.light.map(change))))
+    prepared(r)(_.copy(options = r.options.copy(light = r.options.light.map(change))))
 
   private def blendedReversed(f: PreparedFrame): PreparedFrame = {
     val changed = f.passes.zip(f.sources).map { case (pass, sources) =>
@@ -86,7 +86,7 @@ object PlantedFaults {
 
   lazy val all: Seq[Fault] = Seq(
     "culling: the front faces go" -> { r: Request =>
-      given(r)(q => q.copy(scene = q.scene.copy(triangles = q.scene.triangles.map(reversed))))
+      prepared(r)(q => q.copy(scene = q.scene.copy(triangles = q.scene.triangles.map(reversed))))
     } -> Request(Scenes.teapot(), plain.copy(cullBack = true)),
     "viewport: y upwards" -> { r: Request =>
       mirrored(r.prepare)(v => v.copy(y = r.config.height * 16 - v.y))
@@ -107,7 +107,7 @@ object PlantedFaults {
     } -> cube,
     "near plane: does not cut" -> { r: Request => seenBy(r)(_.copy(near = 1)) } -> cutOpen,
     "near plane: what crosses it is left out" -> { r: Request =>
-      given(r)(q =>
+      prepared(r)(q =>
         q.copy(scene = q.scene.copy(triangles = q.scene.triangles.map { t =>
           if (t.vertices.exists(v => ahead(q.scene.camera, v) < q.scene.camera.near)) t.copy(v1 = t.v0, v2 = t.v0)
           else t
@@ -136,7 +136,7 @@ object PlantedFaults {
       lightFrom(r)(l => axes.zip(l.axes).map { case (axis, along) => axis * along }.reduce(_ + _))
     } -> turned,
     "matrices: turned about the origin" -> { r: Request =>
-      given(r)(q =>
+      prepared(r)(q =>
         q.copy(
           scene = positions(q.scene)(aboutY(_, q.options.turnDegrees)),
           options = q.options.copy(turnDegrees = 0)
@@ -144,7 +144,7 @@ object PlantedFaults {
       )
     } -> Request(Scenes.teapot(), plain.copy(turnDegrees = 40)),
     "matrices: turned the other way" -> { r: Request =>
-      given(r)(q => q.copy(options = q.options.copy(turnDegrees = -q.options.turnDegrees)))
+      prepared(r)(q => q.copy(options = q.options.copy(turnDegrees = -q.options.turnDegrees)))
     } -> Request(Scenes.teapot(), plain.copy(turnDegrees = 40)),
     "blending: front to back" -> { r: Request => blendedReversed(r.prepare) } -> corridor,
     "blending: left out" -> { r: Request => states(r.prepare)(_.copy(blend = false)) } -> corridor,

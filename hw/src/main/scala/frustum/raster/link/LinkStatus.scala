@@ -9,7 +9,7 @@ import spinal.core._
   * | --- | --- |
   * | 0 | 0xF5 |
   * | 1 | version of this table, 3 |
-  * | 2 | flags: bit 0 busy (a frame is being drawn), 1 parity of frames drawn, 2 cts, 3 error (any since reset), 4 byte 9 counts |
+  * | 2 | flags: bit 0 busy (drawing), 1 parity of frames drawn, 2 cts, 3 any error since reset, 4 byte 9 counts |
   * | 3 | commands accepted |
   * | 4 | commands dropped: wrong checksum, length, opcode, index, region or address; no room; no frame begun |
   * | 5 | vertices refused |

@@ -50,8 +50,8 @@ case class StateCommand(config: RasterConfig, stored: StoredStateLayout = Stored
     io.writes.valid := writing
     io.writes.address := StoreAddress.state(layout, io.index, word)
     io.writes.data := Vec(all)(word)
-    val stored = if (config.fixed.whole) True else io.writes.ready && word === words - 1
-    group.ready := group.first || !storing || io.found && stored
+    val ends = if (config.fixed.whole) True else io.writes.ready && word === words - 1
+    group.ready := group.first || !storing || io.found && ends
     when(!group.first && group.last && !fits)(io.up.refuse := True)
     when(group.fire) {
       word := 0

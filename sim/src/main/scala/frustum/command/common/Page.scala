@@ -84,5 +84,6 @@ object Page {
       |.figures dt { color: var(--soft) } .figures dd { margin: 0; font-variant-numeric: tabular-nums }
       |.legend { display: grid; grid-template-columns: max-content 1fr; gap: .3rem 1.5rem; margin: 0;
       |  font-size: .9rem } .legend dt { font-weight: 600 } .legend dd { margin: 0 }
-      |@media (max-width: 40rem) { .legend { grid-template-columns: 1fr } .legend dd { margin: 0 0 .5rem } }""".stripMargin
+      |@media (max-width: 40rem) { .legend { grid-template-columns: 1fr } }
+      |@media (max-width: 40rem) { .legend dd { margin: 0 0 .5rem } }""".stripMargin
 }

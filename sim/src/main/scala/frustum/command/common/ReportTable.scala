@@ -50,9 +50,9 @@ object ReportTable {
     ),
     Column(
       "end to end wrong",
-      "pixels that show another triangle, and pixels that show another texel, than the referee finds, which draws the " +
-        "scene from the user's input and shares no code with what is judged; not judged within 1/8 pixel of an edge and " +
-        "1/64 texel of a border"
+      "pixels that show another triangle, and pixels that show another texel, than the referee finds, which draws " +
+        "the scene from the user's input and shares no code with what is judged; not judged within 1/8 pixel of an " +
+        "edge and 1/64 texel of a border"
     )(endToEnd),
     Column("end to end PSNR dB", "signal-to-noise ratio of the picture against the referee's; higher is better")(r =>
       decimal(r, "endToEnd", "psnr")

@@ -54,7 +54,8 @@ final case class PipelineEvent(kind: Int, time: Long)
 object PipelineEvent {
 
   /** A frame or pass starts, its store loaded; its last triangle is drawn; a triangle was set up whole; was moved to a
-    * tile; has no pixel in a tile that its box touches; no more triangles in a tile; a triangle faces away or has no area.
+    * tile; has no pixel in a tile that its box touches; no more triangles in a tile; a triangle faces away or has no
+    * area.
     */
   val Start = 0
   val Drawn = 1

@@ -3,8 +3,8 @@ package frustum.model.raster
 import frustum.contract.raster.{FramePass, PackedTriangle, RasterConfig}
 import frustum.model.raster.link.TriangleBox
 
-/** The triangles of a pass that the set-up leaves out, because they face away or have no area: those whose boxes reach into
-  * the pass's region are counted, each once, see [[frustum.raster.link.LinkStatus]].
+/** The triangles of a pass that the set-up leaves out, because they face away or have no area: those whose boxes reach
+  * into the pass's region are counted, each once, see [[frustum.raster.link.LinkStatus]].
   */
 object UndrawnTriangles {
   def apply(config: RasterConfig, pass: FramePass): Seq[PackedTriangle] = pass.triangles.filter { t =>

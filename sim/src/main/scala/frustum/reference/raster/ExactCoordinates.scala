@@ -15,9 +15,9 @@ final case class ExactCoordinate(numerator: BigInt, denominator: BigInt) {
   def onBorder(size: Int): Boolean = (numerator * size).mod(denominator) == 0
 }
 
-/** Texture coordinates over a triangle as fractions of its vertices' numbers, nothing rounded:
-  * s = sum(l_i s_i q_i) / sum(l_i q_i), with l_i the area opposite to vertex i (Heckbert and Moreton, "Interpolation for
-  * polygon texture mapping and shading", 1991). Positions are in 1/16 pixel, coordinates in 1/65536 repeat.
+/** Texture coordinates over a triangle as fractions of its vertices' numbers, nothing rounded: s = sum(l_i s_i q_i) /
+  * sum(l_i q_i), with l_i the area opposite to vertex i (Heckbert and Moreton, "Interpolation for polygon texture
+  * mapping and shading", 1991). Positions are in 1/16 pixel, coordinates in 1/65536 repeat.
   */
 final class ExactCoordinates(v: IndexedSeq[PackedVertex]) {
   private val q = v.map(p => BigInt(p.qMantissa) << p.qExponent)

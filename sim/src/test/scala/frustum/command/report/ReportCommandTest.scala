@@ -22,8 +22,10 @@ class ReportCommandTest extends AnyFunSuite {
     put(
       from.resolve("demo/cube.json"),
       s"""{"engine": "model", "scene": "cube", "width": 24, "height": 32, "trianglesDrawn": 12,
-         |"hardwareVsModel": {"pixelsDifferent": $pixelsDifferent}, "modelVsReference": {"coverageWrong": 0, "psnr": 40},
-         |"endToEnd": {"referee": "world", "primitiveWrong": 0, "texelsWrong": 3, "psnr": 39, "flip": 0.01}}""".stripMargin
+         |"hardwareVsModel": {"pixelsDifferent": $pixelsDifferent},
+        |"modelVsReference": {"coverageWrong": 0, "psnr": 40},
+         |"endToEnd": {"referee": "world", "primitiveWrong": 0, "texelsWrong": 3,
+        |"psnr": 39, "flip": 0.01}}""".stripMargin
     )
     for (kind <- Seq("", ".reference", ".difference", ".referee"))
       picture(from.resolve(s"demo/cube$kind.png"), 24, 32)
@@ -40,7 +42,8 @@ class ReportCommandTest extends AnyFunSuite {
     picture(from.resolve("chart/leaps-2.png"), 96, 60)
     put(
       from.resolve("chart/chart.json"),
-      """{"charts": [{"name": "leaps-2", "title": "Leaps & bounds", "note": "Less is better.", "costAxis": "bits", "errorAxis": "steps"}]}"""
+      """{"charts": [{"name": "leaps-2", "title": "Leaps & bounds", "note": "Less is better.", "costAxis": "bits",
+        |"errorAxis": "steps"}]}""".stripMargin
     )
     picture(from.resolve("chart/old-family.png"), 96, 60)
     picture(from.resolve("stability/map.png"), 96, 60)
@@ -62,7 +65,8 @@ class ReportCommandTest extends AnyFunSuite {
     put(
       from.resolve("bitstream/icebreaker-pong.json"),
       """{"top": "icebreaker-pong", "part": "iCE40UP5K", "fits": true, "logicCells": 4216, "ebr": 12, "dsp": 8,
-        |"clockMHz": {"min": 38.21234, "max": 40, "seeds": [38.21234, 40]}, "targetMHz": 25.125, "meetsTarget": true}""".stripMargin
+        |"clockMHz": {"min": 38.21234, "max": 40, "seeds": [38.21234, 40]},
+        |"targetMHz": 25.125, "meetsTarget": true}""".stripMargin
     )
     put(
       from.resolve("fit/cube.json"),

@@ -22,8 +22,8 @@ import org.scalatest.funsuite.AnyFunSuite
 
 import scala.util.Random
 
-/** What is exactly a texel's border belongs to the upper texel: the model against exact fractions of the vertices' numbers,
-  * without a margin.
+/** What is exactly a texel's border belongs to the upper texel: the model against exact fractions of the vertices'
+  * numbers, without a margin.
   */
 class TexelBorderTest extends AnyFunSuite {
   private val memory = new Array[Int](32768)

@@ -130,9 +130,9 @@ object Driver {
     else triangles.map(t => t.copy(v = t.v.map(v => v.copy(clip = v.clip * scale))))
   }
 
-  /** Snaps a triangle to the screen and turns it clockwise, or tells why it is not to be drawn. Its front is seen where it
-    * turns counter-clockwise in window coordinates, whose y points upwards (OpenGL 2.1, 3.5.1): on the screen, whose y
-    * points downwards, the area is negative there.
+  /** Snaps a triangle to the screen and turns it clockwise, or tells why it is not to be drawn. Its front is seen where
+    * it turns counter-clockwise in window coordinates, whose y points upwards (OpenGL 2.1, 3.5.1): on the screen, whose
+    * y points downwards, the area is negative there.
     */
   private def place(
       t: ClipTriangle,

@@ -20,7 +20,8 @@ object EmptyView {
   def leftOut(frame: PreparedFrame): Option[String] = {
     import frame.leftOut._
     Option.when(frame.leftOut != LeftOut())(
-      s"of the triangles in view $facingAway face away, $withoutArea have no area, $withoutPixel hold no centre of a pixel"
+      s"of the triangles in view $facingAway face away, $withoutArea have no area, $withoutPixel hold no centre of a " +
+        "pixel"
     )
   }
 

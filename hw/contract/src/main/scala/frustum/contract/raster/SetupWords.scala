@@ -145,9 +145,9 @@ object SetupWords {
   val Guess = constant("Guess", scala.math.round(32.0 / 17 * (1 << 30)).toInt)
   val ThreeHalves = constant("ThreeHalves", 3 << 29)
 
-  /** Added to s/w and t/w, 23 fraction bits: a little more than rounding may take from them in a tile of 16 x 16, so that
-    * what is exactly a texel's border belongs to the upper texel. Half a unit of the first value, 30 steps of half a unit,
-    * and what the barycentric coordinates' rounding adds where s/w and t/w differ by 8 repeats at most.
+  /** Added to s/w and t/w, 23 fraction bits: a little more than rounding may take from them in a tile of 16 x 16, so
+    * that what is exactly a texel's border belongs to the upper texel. Half a unit of the first value, 30 steps of half
+    * a unit, and what the barycentric coordinates' rounding adds where s/w and t/w differ by 8 repeats at most.
     */
   val TexelBias = constant("TexelBias", 18)
 
