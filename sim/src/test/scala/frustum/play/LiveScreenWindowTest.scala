@@ -5,7 +5,7 @@ import org.scalatest.funsuite.AnyFunSuite
 /** The window itself, on a virtual display. */
 class LiveScreenWindowTest extends AnyFunSuite {
   test("picture, keys without a window manager, mouse, frame rate and closing") {
-    assume(VirtualDisplay.isThere, "Xvfb is not installed")
+    assume(VirtualDisplay.isThere, VirtualDisplay.missing)
     val said = VirtualDisplay.run("frustum.play.LiveScreenProbe", 60)
     assert(
       said.linesIterator.toSeq == Seq(

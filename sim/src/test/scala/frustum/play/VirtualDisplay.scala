@@ -6,8 +6,17 @@ import scala.io.Source
 
 /** Runs main classes of the tests on a display that is only memory (Xvfb). */
 object VirtualDisplay {
-  def isThere: Boolean =
+  def isThere: Boolean = server && windowSystem
+
+  /** Why a test is skipped. */
+  def missing: String = if (server) "the JDK has no window system (Debian: default-jre)" else "Xvfb is not installed"
+
+  private def server: Boolean =
     sys.env.getOrElse("PATH", "").split(':').exists(d => Files.isExecutable(Paths.get(d, "Xvfb")))
+
+  /** A headless JDK lacks the library of the X window system. */
+  private def windowSystem: Boolean =
+    Files.exists(Paths.get(System.getProperty("java.home"), "lib", "libawt_xawt.so"))
 
   /** What the class prints; it must end by itself, well, and within `seconds`. */
   def run(mainClass: String, seconds: Int, args: String*): String = {

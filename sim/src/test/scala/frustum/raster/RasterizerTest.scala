@@ -178,6 +178,7 @@ class RasterizerTest extends AnyFunSuite with Simulated {
     }
   )
 
+  /** Compares, and tells how many triangles face away or have no area. */
   private def check(
       config: RasterConfig,
       latency: Int,
@@ -185,7 +186,7 @@ class RasterizerTest extends AnyFunSuite with Simulated {
       stalls: Seq[Double],
       seed: Int,
       image: FramePass => Map[Int, BigInt]
-  ): Unit = {
+  ): Int = {
     val expected = ArrayBuffer.empty[String]
     passes.foreach { pass =>
       model.raster.Rasterizer(config).draw(
@@ -222,6 +223,7 @@ class RasterizerTest extends AnyFunSuite with Simulated {
         }
       )
     }
+    val undrawnOfEach = passes.map(model.raster.UndrawnTriangles(config, _).length)
     compiled(config, latency).doSim(seed) { dut =>
       for (rate <- stalls) {
         val got = ArrayBuffer.empty[String]
@@ -271,11 +273,13 @@ class RasterizerTest extends AnyFunSuite with Simulated {
         wrong.foreach(i => fail(s"seed $seed stalls $rate fragment $i: got ${got(i)}, should be ${expected.lift(i)}"))
         assert(got.length == expected.length, s"seed $seed stalls $rate")
         assert(got.exists(_ != "end"), s"seed $seed stalls $rate: no fragment")
-        val due = passes.map(model.raster.UndrawnTriangles(config, _).length)
-        assert(due.exists(_ > 0), s"seed $seed: every triangle is drawn")
-        assert(undrawn == due.sum, s"seed $seed stalls $rate: triangles that face away or have no area, $due")
+        assert(
+          undrawn == undrawnOfEach.sum,
+          s"seed $seed stalls $rate: triangles that face away or have no area, $undrawnOfEach"
+        )
       }
     }
+    undrawnOfEach.sum
   }
 
   private def randomPass(r: Random, config: RasterConfig, frame: Int, count: Int): FramePass = {
@@ -318,7 +322,7 @@ class RasterizerTest extends AnyFunSuite with Simulated {
     ) {
       val seed = 7
       val r = new Random(seed)
-      check(
+      val undrawn = check(
         config,
         latency,
         Seq(randomPass(r, config, 0, 5), randomPass(r, config, 1, 30), randomPass(r, config, 2, 3)),
@@ -326,12 +330,14 @@ class RasterizerTest extends AnyFunSuite with Simulated {
         seed,
         image(_, config)
       )
+      assert(undrawn > 0, "every triangle is drawn")
     }
 
   test("fragments equal the model's for slivers, needles, huge and degenerate triangles") {
     val seed = 8
     val hard = new HardTriangles(usual, new Random(seed))
-    check(usual, 2, (0 to 2).map(hard.pass(4 * hard.kinds.size, _)), Seq(0.0), seed, image(_, usual))
+    val undrawn = check(usual, 2, (0 to 2).map(hard.pass(4 * hard.kinds.size, _)), Seq(0.0), seed, image(_, usual))
+    assert(undrawn > 0, "every triangle is drawn")
   }
 
   test("fragments equal the model's where the store's words are written by hand") {

@@ -28,9 +28,11 @@ import scala.util.Random
 /** The fields of a render state over five words of the wire, so three of the store, with spare bits between them. */
 object LongState extends StateLayout("long render state") {
   private val WireWords = 5
+  private val low = Array.fill(WireWords)(0)
   for ((field, n) <- RenderStateLayout.fields.zipWithIndex) {
-    val (word, low) = (n % WireWords, n / WireWords * 5)
-    unsigned(field.name, bits(word, low + field.width - 1, low), field.meaning)
+    val word = n % WireWords
+    unsigned(field.name, bits(word, low(word) + field.width - 1, low(word)), field.meaning)
+    low(word) += field.width + 1
   }
 }
 

@@ -9,10 +9,8 @@ import spinal.lib._
 
 /** Sets triangles up for the tiles they touch, ahead of the interpolator by two.
   *
-  * A triangle that occurs for the first time in a frame is fetched and set up completely. It then keeps its slot until
-  * another triangle takes it, so that in further tiles only the edge functions and the planes' first values are
-  * computed.
-  *
+  * A triangle is fetched and set up completely where it first occurs in a frame. It keeps its slot until another one
+  * takes it, so that in further tiles only the edge functions and the planes' first values are computed.
   */
 case class TriangleSetup(config: RasterConfig, tech: Tech = Tech.Generic) extends Component {
   val layout = StoreLayout(config)
@@ -176,10 +174,7 @@ case class TriangleSetup(config: RasterConfig, tech: Tech = Tech.Generic) extend
       is(State.Normalise) {
         when(area.normal) { load(FetchProgram.Normal, State.GradientShift) } otherwise { area.shift() }
       }
-      is(State.GradientShift) {
-        area.toGradients()
-        load(FetchProgram.GradientShift, State.Attributes)
-      }
+      is(State.GradientShift) { area.toGradients(); load(FetchProgram.GradientShift, State.Attributes) }
       is(State.Attributes) {
         when(area.sliver) { run(SectionSteps, State.Check) } otherwise { run(SectionAttributes, State.Check) }
       }

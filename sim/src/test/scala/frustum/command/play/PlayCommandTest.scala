@@ -20,7 +20,7 @@ class PlayCommandTest extends AnyFunSuite {
   }
 
   test("play pong shows frames of the simulated hardware in a window", Simulated) {
-    assume(VirtualDisplay.isThere, "Xvfb is not installed")
+    assume(VirtualDisplay.isThere, VirtualDisplay.missing)
     val said = VirtualDisplay.run("frustum.command.Main", 300, "play", "pong", "--frames", "6")
     val rate = """(?s).*6 frames, ([0-9.]+) a second, score 0.*""".r
     said match {
@@ -31,7 +31,7 @@ class PlayCommandTest extends AnyFunSuite {
 
   for ((engine, marks) <- Seq("model" -> Nil, "hardware" -> Seq(Simulated)))
     test(s"play voxel shows a world in a window, engine $engine", marks: _*) {
-      assume(VirtualDisplay.isThere, "Xvfb is not installed")
+      assume(VirtualDisplay.isThere, VirtualDisplay.missing)
       val said = VirtualDisplay.run(
         "frustum.command.Main",
         300,
@@ -48,13 +48,13 @@ class PlayCommandTest extends AnyFunSuite {
     }
 
   test("play pong in real time by its model, in a window") {
-    assume(VirtualDisplay.isThere, "Xvfb is not installed")
+    assume(VirtualDisplay.isThere, VirtualDisplay.missing)
     val said = VirtualDisplay.run("frustum.command.Main", 120, "play", "pong", "--engine", "model", "--frames", "60")
     assert(said.contains("60 frames, ") && said.contains("score 0"), said)
   }
 
   test("play raster shows a mesh in a window, engine model") {
-    assume(VirtualDisplay.isThere, "Xvfb is not installed")
+    assume(VirtualDisplay.isThere, VirtualDisplay.missing)
     val said = VirtualDisplay.run("frustum.command.Main", 120, "play", "raster", "--scene", "cube", "--frames", "5")
     assert(said.contains("5 frames, ") && said.contains("engine model"), said)
   }

@@ -52,7 +52,10 @@ class ConsolePadTest extends AnyFunSuite {
     }
   }
 
-  test("pads with pressures, joysticks and a wheel: the whole answer is fetched, buttons and sticks count (seed 4)") {
+  test(
+    "pads with pressures, joysticks and a wheel: the whole answer is fetched, buttons and sticks count (seed 4)",
+    Simulated
+  ) {
     session(4) { (pad, ask, random) =>
       for (i <- 0 until 16; (id, rest, moves) <- Seq((0x79, 12, true), (0x53, 0, true), (0xe3, 0, false))) {
         val held = if (i < 8) Seq.fill(16)(random.nextBoolean()) else Seq.tabulate(16)(_ == 2 * i - 16)
@@ -64,7 +67,10 @@ class ConsolePadTest extends AnyFunSuite {
     }
   }
 
-  test("a pad with pressures that goes away before its sticks are through is at rest; later its sticks still count") {
+  test(
+    "a pad with pressures that goes away before its sticks are through is at rest; later its sticks still count",
+    Simulated
+  ) {
     session(5) { (pad, ask, _) =>
       val (held, sticks) = (Seq.tabulate(16)(_ % 3 == 0), Seq(9, 8, 7, 6))
       val whole = bytes(0x79, held, sticks) ++ Seq.fill(12)(80)

@@ -145,6 +145,7 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
       dut.clockDomain.forkStimulus(period = 10)
       var taken = 0
       fork {
+        dut.clockDomain.waitSampling(4)
         for (byte <- stream) {
           dut.io.bytes.valid #= true
           dut.io.bytes.payload #= byte
@@ -198,8 +199,8 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
     val vertices = commands.filter(_._1 == Command.Vertices).map(c => (c._2.length - 1) / VertexLayout.words).sum
     val triangles = commands.filter(_._1 == Command.Triangles).map(c => (c._2.length - 1) / TriangleLayout.words).sum
     val whole = Seq(0, 0, usual.tilesX - 1, usual.tilesY - 1)
-    val frame =
-      (Command.Begin -> Seq(1, 0, whole(2), whole(3))) +: commands :+ (Command.Draw -> Seq(vertices, triangles))
+    val begin = Seq(Command.Begin -> Seq(1, 0, whole(2), whole(3)), Command.State -> (0 +: RenderState().words))
+    val frame = begin ++ commands :+ (Command.Draw -> Seq(vertices, triangles))
     var count = 0
     compiledUsual.doSim("cycles", 1) { dut =>
       dut.io.rival.cmd.valid #= false
@@ -214,7 +215,7 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
       SimTimeout(10L * 200000)
       dut.clockDomain.forkStimulus(period = 10)
       dut.clockDomain.waitSamplingWhere { count += 1; dut.io.job.valid.toBoolean }
-      assert(dut.io.job.triangleCount.toInt == triangles && dut.io.status.accepted.toInt == commands.length + 1)
+      assert(dut.io.job.triangleCount.toInt == triangles && dut.io.status.accepted.toInt == commands.length + 2)
     }
     count
   }
