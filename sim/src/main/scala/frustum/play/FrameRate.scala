@@ -9,8 +9,12 @@ import scala.collection.immutable.Queue
 final class FrameRate(windowNanos: Long = 2000000000L) {
   private var shown = Queue.empty[Long]
 
-  /** A frame was shown at `nanos`. */
-  def frame(nanos: Long): Unit = shown = shown.enqueue(nanos).dropWhile(_ < nanos - windowNanos)
+  /** A frame was shown at `nanos`. The last two count however long ago the one before was. */
+  def frame(nanos: Long): Unit = {
+    val all = shown.enqueue(nanos)
+    val recent = all.dropWhile(_ < nanos - windowNanos)
+    shown = if (recent.size < 2) all.takeRight(2) else recent
+  }
 
   /** 0 before the second frame. */
   def perSecond: Double =

@@ -15,6 +15,9 @@ class LiveScreenTest extends AnyFunSuite {
     assert((rate.perSecond - 10).abs < 1e-9)
     for (i <- 1 to 30) rate.frame(1000000000L + i * 50000000L)
     assert((rate.perSecond - 20).abs < 1e-9)
+    val slow = new FrameRate(1000000000L)
+    for (i <- 0 to 2) slow.frame(i * 7000000000L)
+    assert((slow.perSecond - 1.0 / 7).abs < 1e-9, "seconds from frame to frame")
   }
 
   test("a key counts while it is down, and once if it was down only between two looks") {

@@ -2,7 +2,7 @@ package frustum.engine.pong
 
 import frustum.contract.video.VideoMode
 import frustum.demos.pong.{PongPipelineConfig, PongScene}
-import frustum.harness.Simulated
+import frustum.harness.{Simulated, ThreadTime}
 import frustum.model.demos.pong.{PongButtons, PongModel}
 import frustum.play.{AutoPlayer, PlayedGame}
 import org.scalatest.funsuite.AnyFunSuite
@@ -23,6 +23,16 @@ class PongModelEngineTest extends AnyFunSuite {
     val frames = draw("model", buttons)
     assert(frames.map(_.index) == frames.indices)
     for ((frame, game) <- frames.zip(shown)) assert(frame.atPins.sameElements(model.frame(game)), frame.index)
+  }
+
+  test("640 x 480 in real time: 30 pictures take less than a second of one core") {
+    val vga = PongPipelineConfig()
+    val buttons = PlayedGame.frames(AutoPlayer(_)).take(120).map(_._2).toSeq
+    def play() = PongEngines.byName("model").make(PongSetting(vga, PongBoard.Arty, 1)).draw(buttons.iterator)(_ => ())
+    play() // compiled meanwhile
+    val (seconds, _) = ThreadTime.of(play())
+    info(f"${60 / seconds}%.0f pictures per second of one core, the empty room included")
+    assert(60 / seconds > 30)
   }
 
   test("buttons that change from frame to frame: what the hardware shows", Simulated) {
