@@ -1,13 +1,10 @@
 package frustum.stability
 
-import frustum.files.OutputFile
-import org.knowm.xchart.BitmapEncoder.BitmapFormat
-import org.knowm.xchart.style.markers.SeriesMarkers
-import org.knowm.xchart.{AnnotationText, BitmapEncoder, XYChart, XYChartBuilder}
-import java.awt.{BasicStroke, Color}
-import java.nio.file.{Files, Path}
+import frustum.charts.plot.{Anchor, Canvas, CanvasFiles, Plot, Scale}
+import java.awt.Color
+import java.nio.file.Path
 
-/** All sweeps as bars, one under the other, each along its own range. */
+/** All sweeps as bars, one under the other, each along its own range, with its unit, its ends and where states change. */
 object StabilityMap {
   val HowToRead: String =
     "Each bar runs through one quantity, evenly by its logarithm (or evenly where it is a whole number): green within the method's bound, yellow beyond it and " +
@@ -19,42 +16,76 @@ object StabilityMap {
     Stability.Broken -> new Color(0xd64545),
     Stability.Refused -> new Color(0xb8bcc4)
   )
+  private val meanings = Seq(
+    Stability.Safe -> "within the bound",
+    Stability.Degraded -> "beyond it, of use",
+    Stability.Broken -> "broken",
+    Stability.Refused -> "refused, with a message"
+  )
+  private val peerBlue = new Color(0x2b6cb0)
+  private val ink = new Color(0x222222)
+  private val pale = new Color(0x5c636e)
 
-  def write(file: Path, results: Seq[SweepResult]): Unit = OutputFile.write(file) { part =>
-    Files.write(part, BitmapEncoder.getBitmapBytes(picture(results), BitmapFormat.PNG))
+  private val Head = 92
+  private val Row = 66
+  private val (barLeft, barRight) = (252.0, 672.0)
+  private val Words = 690.0 // where the right column begins
+  private val Small = 11.5
+
+  /** Writes `map.png` and `map.svg`. */
+  def write(folder: Path, results: Seq[SweepResult]): Unit =
+    CanvasFiles.write(folder, "map", Plot.Width, Head + Row * results.length + 8)(draw(results, _))
+
+  private def draw(results: Seq[SweepResult], canvas: Canvas): Unit = {
+    canvas.text(14, 28, "Where methods fail: each bar runs through one quantity", 17, color = ink, bold = true)
+    meanings.foldLeft(14.0) { case (x, (state, words)) =>
+      canvas.box(x, 44, 18, 12, colors(state))
+      canvas.text(x + 24, 54, words, Small, color = ink)
+      x + 24 + Canvas.widthOf(words, Small) + 22
+    }
+    canvas.box(560, 48, 26, 3, ink)
+    canvas.text(592, 54, "declared domain", Small, color = ink)
+    canvas.box(715, 48, 26, 3, peerBlue)
+    canvas.text(747, 54, "where compared systems work", Small, color = ink)
+    canvas.text(14, 80, "quantity, and its unit", Small, color = pale)
+    canvas.text(barLeft, 80, "above a bar: where a state begins; below: its ends", Small, color = pale)
+    canvas.text(Words, 80, "declared domain, and the greatest error there", Small, color = pale)
+    for ((r, i) <- results.zipWithIndex) row(r, Head + Row * i, canvas)
   }
 
-  private def picture(results: Seq[SweepResult]): XYChart = {
-    val chart =
-      new XYChartBuilder().width(1100).height(120 + 34 * results.length).title("Where methods fail").build()
-    val style = chart.getStyler
-    style.setAxisTicksVisible(false).setPlotGridLinesVisible(false).setLegendVisible(false)
-    style.setYAxisMin(-0.6).setYAxisMax(results.length - 0.4).setXAxisMin(-0.18).setXAxisMax(1.01)
-    def line(name: String, y: Double, from: Double, to: Double, color: Color, width: Float): Unit = {
-      val series = chart.addSeries(name, Array(from, to), Array(y, y))
-      series.setMarker(SeriesMarkers.NONE).setLineColor(color)
-      series.setLineStyle(new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL))
+  private def row(r: SweepResult, top: Double, canvas: Canvas): Unit = {
+    val d = r.sweep.domain
+    def x(v: Double) = barLeft + place(r.sweep, v) * (barRight - barLeft)
+    canvas.line(14, top, Plot.Width - 14, top, 1, new Color(0xe4e6ea))
+    canvas.text(14, top + 27, d.quantity.replace('-', ' '), 13, color = ink, bold = true)
+    canvas.text(14, top + 43, d.unit, Small, color = pale)
+    for ((a, b, state) <- r.stretches) canvas.box(x(a), top + 18, (x(b) - x(a)).max(1), 14, colors(state))
+    def range(low: Double, high: Double, below: Double, color: Color): Unit = {
+      val (a, b) = (x(low), x(high))
+      canvas.box(a.min(b - 4), top + below, (b - a).max(4), 3, color)
     }
-    for ((r, i) <- results.zipWithIndex) {
-      val y = results.length - 1.0 - i
-      def at(v: Double) = place(r.sweep, v)
-      for (((a, b, state), n) <- r.stretches.zipWithIndex) line(s"$i.$n", y, at(a), at(b), colors(state), 14)
-      chart.addAnnotation(new AnnotationText(r.sweep.name, -0.09, y, false))
-      def range(name: String, low: Double, high: Double, below: Double, color: Color): Unit = {
-        val (a, b) = (at(low), at(high))
-        line(s"$i $name", y - below, a.min(b - 0.004), b, color, 3)
-      }
-      range("declared", r.sweep.domain.low, r.sweep.domain.high, 0.3, Color.BLACK)
-      for (peer <- r.sweep.peer; (low, high) <- peer.range) range("peer", low, high, 0.4, new Color(0x2b6cb0))
-      // Of borders that lie close together one is named.
-      r.borders.foldLeft(Double.NegativeInfinity) { (last, b) =>
-        val place = at(b.value)
-        if (place - last < 0.05) last
-        else { chart.addAnnotation(new AnnotationText(shortest(b.value), place, y, false)); place }
+    range(d.low, d.high, 35, ink)
+    for (peer <- r.sweep.peer; (low, high) <- peer.range) range(low, high, 40, peerBlue)
+    canvas.text(barLeft, top + 56, Scale.text(rounded(r.sweep.from)), Small, color = ink)
+    canvas.text(barRight, top + 56, Scale.text(rounded(r.sweep.to)), Small, Anchor.End, ink)
+    r.borders.foldLeft(barLeft - 40) { (taken, b) =>
+      val at = x(b.value)
+      val words = Seq(s"${Scale.text(rounded(b.value))} ${b.above.name}", Scale.text(rounded(b.value)))
+      words.map(w => w -> Canvas.widthOf(w, Small)).collectFirst {
+        case (w, width) if at.min(barRight + 10 - width) > taken + 6 => (w, at.min(barRight + 10 - width), width)
+      }.fold(taken) { case (w, start, width) =>
+        canvas.line(at, top + 14, at, top + 33, 1, ink)
+        canvas.text(start, top + 12, w, Small, color = ink)
+        start + width
       }
     }
-    chart
+    canvas.text(Words, top + 22, s"${Scale.text(rounded(d.low))} to ${Scale.text(rounded(d.high))}", Small, color = ink)
+    canvas.text(Words, top + 38, s"at most ${Scale.text(rounded(d.bound))} ${d.errorUnit}", Small, color = ink)
+    for (peer <- r.sweep.peer; (low, high) <- peer.range)
+      canvas.text(Words, top + 54, s"others ${Scale.text(rounded(low))} to ${Scale.text(rounded(high))}", Small, color = peerBlue)
   }
+
+  private def rounded(v: Double): Double = BigDecimal(v).round(new java.math.MathContext(3)).toDouble
 
   /** Three digits. */
   def shortest(v: Double): String =

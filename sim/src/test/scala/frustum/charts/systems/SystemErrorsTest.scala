@@ -1,0 +1,46 @@
+package frustum.charts.systems
+
+import frustum.contract.raster.RasterConfig
+import frustum.referee.EndToEnd
+import frustum.scene.Scenes
+import org.scalatest.funsuite.AnyFunSuite
+
+class SystemErrorsTest extends AnyFunSuite {
+  private val base = RasterConfig(width = 96, height = 96)
+
+  test("wrong triangles and texels are counted in per cent of the judged pixels") {
+    val counts = EndToEnd("world", judged = 400, primitiveWrong = 3, texelsWrong = 5, 1, 1, 7, 0)
+    assert(SystemError(0.25, counts) == SystemError(0.25, 2.0))
+    assert(SystemError(0, counts.copy(judged = 0, primitiveWrong = 0, texelsWrong = 0)).wrongPercent == 0)
+  }
+
+  test("on the floor, fewer bits, coarser vertices and affine mapping are worse end to end than the shipped system") {
+    val scene = Scenes.byName("floor")
+    val judge = new SystemErrors(scene, base.width, base.height)
+    val all = SystemConfiguration.all(scene, base)
+    def of(group: String, setting: String) = judge(all.find(c => c.group == group && c.setting.startsWith(setting)).get)
+    val shipped = of(SystemConfiguration.Shipped, "")
+    import SystemConfiguration.{Affine, Coordinates, Vertices}
+    val worse = Seq(of(Coordinates, "20"), of(Vertices, "0"), of(Affine, "spans of 16"), of(Affine, "whole"))
+    for (e <- worse) assert(e.wrongPercent > shipped.wrongPercent && e.flip > shipped.flip, s"$e, shipped $shipped")
+    assert(of(Affine, "spans of 8").wrongPercent < of(Affine, "spans of 16").wrongPercent)
+  }
+
+  test("hardware made for a scene draws it as the shipped one does") {
+    for (name <- Seq("cube", "teapot")) {
+      val scene = Scenes.byName(name)
+      val judge = new SystemErrors(scene, base.width, base.height)
+      val all = SystemConfiguration.all(scene, base)
+      val own = all.filter(_.group == SystemConfiguration.Scene)
+      assert(own.nonEmpty && own.forall(_.config != base))
+      val shipped = judge(all.head)
+      for (c <- own) assert((judge(c).wrongPercent - shipped.wrongPercent).abs < 0.5, s"$name, ${c.setting}")
+    }
+  }
+
+  test("a scene without textures has no configurations that only textures feel") {
+    val groups = SystemConfiguration.all(Scenes.byName("teapot"), base).map(_.group)
+    assert(!groups.contains(SystemConfiguration.Coordinates) && !groups.contains(SystemConfiguration.Affine))
+    assert(groups.contains(SystemConfiguration.Colors))
+  }
+}
