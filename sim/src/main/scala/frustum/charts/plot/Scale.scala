@@ -19,8 +19,8 @@ final case class Scale(low: Double, high: Double, log: Boolean, zero: Boolean = 
   /** What is written where, ascending: at least three numbers, at most ten. */
   def ticks: Seq[(Double, String)] = {
     val values =
-      if (!log) Scale.steps(low, high, 6)
-      else if (high / low < 8) Scale.steps(low, high, 5)
+      if (!log) Scale.steps(low, high, 4)
+      else if (high / low < 20) Scale.steps(low, high, 4)
       else Scale.decades(low, high)
     Option.when(log && zero)(0.0 -> "none").toSeq ++ values.map(v => v -> Scale.text(v))
   }
@@ -46,12 +46,13 @@ object Scale {
       Scale(if (low >= 0) (low - room).max(0).min(low) else low - room, high + room, log = false)
     }
 
-  /** Multiples of 1, 2 or 5 times a power of ten. */
-  private def steps(low: Double, high: Double, wanted: Int): Seq[Double] = {
-    val coarse = (high - low) / wanted
-    val power = pow(10, floor(log10(coarse)))
-    val step = Seq(1.0, 2.0, 5.0, 10.0).map(_ * power).find(_ >= coarse * 0.999).get
-    (ceil(low / step - 1e-9).toLong to floor(high / step + 1e-9).toLong).map(n => tidy(n * step))
+  /** Multiples of 1, 2 or 5 times a power of ten: the coarsest of which at least `least` lie between the ends. */
+  private def steps(low: Double, high: Double, least: Int): Seq[Double] = {
+    val power = floor(log10(high - low)).toInt
+    val sizes = for (p <- power to power - 2 by -1; m <- Seq(5, 2, 1)) yield m * pow(10, p)
+    def multiples(step: Double) = ceil(low / step - 1e-9).toLong to floor(high / step + 1e-9).toLong
+    val step = sizes.find(multiples(_).length >= least).get
+    multiples(step).map(n => tidy(n * step))
   }
 
   /** Powers of ten; where these are few 2 and 5 times them as well, where they are many some of them. */

@@ -4,6 +4,7 @@ import frustum.boards.BoardTop
 import frustum.boards.flow.{BitstreamReport, Ice40Flow, Ice40Tools, Nextpnr}
 import frustum.BuildInfo
 import frustum.files.OutputFile
+import java.io.OutputStream
 import java.nio.file.{Files, Path}
 import java.security.MessageDigest
 import scala.util.Try
@@ -43,7 +44,7 @@ final class PlacedTops(
 
   private def verilog(top: BoardTop): String = {
     val folder = OutputFile.folder(cache.resolve("work"))
-    top.writeVerilog(folder.toString)
+    Console.withOut(OutputStream.nullOutputStream)(top.writeVerilog(folder.toString)) // SpinalHDL tells each of its steps
     Files.readString(folder.resolve(s"${top.name}.v"))
   }
 

@@ -2,7 +2,7 @@ package frustum.charts.systems
 
 import frustum.boards.icebreaker.IcebreakerTops
 import frustum.contract.InputError
-import frustum.contract.raster.RasterConfig
+import frustum.contract.raster.{PlaneFormats, RasterConfig}
 import frustum.driver.raster.PreparedFrame
 import frustum.driver.scene.Scene
 import scala.collection.mutable
@@ -14,7 +14,6 @@ import scala.concurrent.{Await, ExecutionContext, Future}
   * @param simulatesAll also of hardware made for one scene; otherwise only hardware that all scenes share is simulated where
   *                     its cycles are not known
   * @param compile      makes a simulation ready ahead of its use
-  * @param fits         where the reports of `fit` are
   */
 final class RasterSystems(
     tops: PlacedTops,
@@ -27,10 +26,14 @@ final class RasterSystems(
   private val base = RasterConfig()
   private val known = mutable.Map.empty[RasterConfig, (Option[Placed], String)]
 
-  /** A system with its hardware's figures and the frame that it is sent. */
+  /** A system with its hardware's figures and the frame that it is sent.
+    *
+    * @param frame   for [[RasterSystems.timed]]
+    * @param verilog digest of that hardware
+    */
   private case class Candidate(system: SystemConfiguration, placed: Option[Placed], verilog: String, frame: PreparedFrame) {
-    def shared: Boolean = system.group != SystemConfiguration.Scene && system.group != SystemConfiguration.Fitted
-    def cycles(simulate: Boolean): Option[Long] = RasterSystems.this.cycles(frame, verilog, simulate && (shared || simulatesAll))
+    val simulated: Boolean = simulatesAll || !Set(SystemConfiguration.Scene, SystemConfiguration.Fitted)(system.group)
+    def cycles(simulate: Boolean): Option[Long] = RasterSystems.this.cycles(frame, verilog, simulate && simulated)
   }
 
   /** @param scenes by the names of their charts */
@@ -40,8 +43,8 @@ final class RasterSystems(
       say(s"${scene.name}: hardware of its configurations")
       SystemConfiguration.all(scene, base).map(c => candidate(c, judge, None)) ++ fitted(scene, judge)
     }
-    val missing = candidates.flatten.filter(c => c.cycles(simulate = false).isEmpty && (c.shared || simulatesAll))
-    val ready = Future.traverse(missing.map(_.system.config).distinct)(c => Future(compile(c))(pool))(implicitly, pool)
+    val missing = candidates.flatten.filter(c => c.simulated && c.cycles(simulate = false).isEmpty)
+    val ready = Future.traverse(missing.map(_.frame.config).distinct)(c => Future(compile(c))(pool))(implicitly, pool)
     val errors = candidates.zip(judges).map { case (all, judge) => all.map(c => c -> judge(c.system)) }
     Await.result(ready, Duration.Inf)
     for ((scene, all) <- scenes.zip(errors)) {
@@ -53,9 +56,10 @@ final class RasterSystems(
   private def pool = ExecutionContext.global
 
   private def candidate(c: SystemConfiguration, judge: SystemErrors, told: Option[Placed]): Candidate = {
-    val (placed, verilog) =
-      known.getOrElseUpdate(c.config, tops(IcebreakerTops.rasterOf("system", c.config)))
-    Candidate(c, told.orElse(placed).filter(_ => c.built), verilog, judge.frame(c))
+    def figures(config: RasterConfig) = known.getOrElseUpdate(config, tops(IcebreakerTops.rasterOf("system", config)))
+    val placed = told.orElse(figures(c.config)._1).filter(_ => c.built)
+    val timed = RasterSystems.timed(c.config)
+    Candidate(c, placed, figures(timed)._2, judge.frame(c).copy(config = timed))
   }
 
   /** What `fit` answered, unless its hardware does not take the scene as it is drawn here. */
@@ -112,4 +116,12 @@ final class RasterSystems(
       case _       => None
     }
   }
+}
+
+object RasterSystems {
+
+  /** Hardware that takes as many cycles for every frame, so that it is simulated in place of several: bits that the planes go
+    * without narrow adders and registers, and nothing waits for what they hold.
+    */
+  def timed(config: RasterConfig): RasterConfig = config.copy(formats = PlaneFormats())
 }

@@ -60,9 +60,9 @@ class PlacedTopsTest extends AnyFunSuite {
       0
     )
     var runs = 0
-    val cycles = new SystemCycles(_ => { runs += 1; 1000 + runs }, cache)
+    val cycles = new SystemCycles(_ => { runs += 1; 1000L + runs }, cache)
     assert(cycles(frame(0), "a", may = false).isEmpty && runs == 0)
-    assert(cycles(frame(0), "a", may = true).contains(1001) && cycles(frame(0), "a", may = false).contains(1001))
-    assert(cycles(frame(0), "b", may = true).contains(1002) && cycles(frame(30), "a", may = true).contains(1003))
+    assert(cycles(frame(0), "a", may = true).contains(1001L) && cycles(frame(0), "a", may = false).contains(1001L))
+    assert(cycles(frame(0), "b", may = true).contains(1002L) && cycles(frame(30), "a", may = true).contains(1003L))
   }
 }
