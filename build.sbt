@@ -72,7 +72,6 @@ lazy val sim = (project in file("sim"))
       "com.twelvemonkeys.imageio" % "imageio-tga" % "3.13.1",
       "com.github.scopt" %% "scopt" % "4.1.0",
       "me.tongfei" % "progressbar" % "0.10.1",
-      "org.knowm.xchart" % "xchart" % "3.8.8",
       "org.scalatest" %% "scalatest" % "3.2.20" % Test
     ),
     Compile / run / baseDirectory := (ThisBuild / baseDirectory).value,

@@ -59,6 +59,7 @@ object PlotDrawing {
       panel.ranges.foreach(range)
       for (front <- panel.fronts if front.length > 1)
         canvas.polygon(front.map { case (a, b) => (x(a), y(b)) }, closed = false, 7, Front, None)
+      for (front <- panel.fronts; (a, b) <- front) canvas.circle(x(a), y(b), 9, 0, Front, Some(Front))
       if (panel.joined)
         for ((series, points) <- panel.points.groupBy(_.series).toSeq.sortBy(_._1))
           canvas.polygon(

@@ -11,7 +11,7 @@ import scala.util.Try
 
 /** What place and route made of a top.
   *
-  * @param cells    logic cells of an iCE40, else LUT
+  * @param cells    logic cells of an iCE40; None of other parts
   * @param clockMHz slowest of the placements; None where the design does not fit its part
   * @param source   where the figures come from, in words
   */
@@ -83,7 +83,7 @@ object PlacedTops {
     else
       Try {
         val r = ujson.read(Files.readString(report)).obj
-        val cells = r.get("logicCells").orElse(r.get("luts")).map(_.num.toInt)
-        Placed(cells, r.get("clockMHz").filter(_ => r("fits").bool).map(_("min").num), source)
+        val clock = r.get("clockMHz").filter(_ => r("fits").bool).map(_("min").num)
+        Placed(r.get("logicCells").map(_.num.toInt), clock, source)
       }.toOption
 }

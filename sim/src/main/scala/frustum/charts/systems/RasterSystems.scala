@@ -97,11 +97,10 @@ final class RasterSystems(
       Seq("mean FLIP, end to end (0 equal, 1 worst)", "wrong triangles and texels, end to end, % of pixels"),
       points,
       peer.flatMap(peerOf(scene.name, _)).toSeq,
-      "Only nearest texels are built: no bilinear filter is among the points." + (if (left == 0) ""
-                                                                                  else
-                                                                                    s" $left systems are left out: their " +
-                                                                                      "cycles are not known; --synthesis finds them."),
-      errorFloor = 1e-4
+      "The library has one preset and nearest texels alone: no other preset, no bilinear filter is among the points." +
+        (if (left == 0) "" else s" $left systems are left out: their cycles are not known; --synthesis finds them."),
+      errorFloor = 1e-4,
+      cellsTitle = Some(s"${scene.name}: logic cells against error, iCE40UP5K, ${base.width} x ${base.height}")
     )
   }
 

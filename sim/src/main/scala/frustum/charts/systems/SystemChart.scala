@@ -7,6 +7,7 @@ import scala.math.sqrt
 
 /** Whole systems: speed against errors, and logic cells against errors.
   *
+  * @param cellsTitle of the picture with logic cells in place of speed; None where there is to be none
   * @param speedAxis  with its unit; more is better
   * @param errorAxes  with their units, a panel each; less is better
   * @param errorFloor errors below this count as none
@@ -22,7 +23,8 @@ final case class SystemChart(
     peers: Seq[PeerPoint],
     note: String,
     errorFloor: Double = 1e-9,
-    panelHeight: Int = 360
+    panelHeight: Int = 360,
+    cellsTitle: Option[String] = None
 ) {
   private val numbered = points.zipWithIndex.map { case (p, i) => p -> s"${i + 1}" }
   private val groups = points.map(_.group).distinct
@@ -55,10 +57,10 @@ final case class SystemChart(
   )
 
   /** None where no size is known. */
-  def cellsPlot: Option[Plot] = {
+  def cellsPlot: Option[Plot] = cellsTitle.filter(_ => points.exists(_.cells.isDefined)).map { heading =>
     val sized = points.filter(_.cells.isDefined)
-    Option.when(sized.nonEmpty)(plot(
-      title.replaceFirst("frames a second", "logic cells"),
+    plot(
+      heading,
       "logic cells of the iCE40UP5K, which has 5,280",
       sized,
       _.cells.get.toDouble,
@@ -68,9 +70,9 @@ final case class SystemChart(
       Seq("Grey: the Pareto front, what nothing else beats in both.") ++
         Option.when(sized.exists(!_.placed))("Hollow: it does not fit the part, so it has no clock.") ++
         Option.when(points.length > sized.length)(
-          s"${points.length - sized.length} more configurations have not been placed: --synthesis does."
+          s"${points.length - sized.length} more are not here: methods, and what has not been placed; --synthesis places it."
         )
-    ))
+    )
   }
 
   private def markNotes(of: Seq[SystemPoint]): Seq[String] = {

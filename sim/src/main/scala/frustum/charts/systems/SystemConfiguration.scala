@@ -1,11 +1,13 @@
 package frustum.charts.systems
 
 import frustum.contract.raster.{FramePass, PackedVertex, PlaneFormats, RasterConfig, VertexRanges, Wrap}
+import frustum.contract.video.ColorFormat
 import frustum.driver.raster.{DrawOptions, PreparedFrame}
 import frustum.driver.scene.Scene
 import frustum.fit.FitFeatures
 import frustum.model.raster.{PassRenderer, RasterModel}
 import frustum.raster.texture.LateDivide
+import scala.math.rint
 
 /** A whole renderer: hardware, and what its driver makes of a frame.
   *
@@ -14,6 +16,7 @@ import frustum.raster.texture.LateDivide
   * @param options  of the driver
   * @param adjust   what becomes of a frame's vertices on their way to the hardware
   * @param renderer the model; another method than the hardware's where `built` is false
+  * @param format   colours that the picture has in the end
   * @param built    whether the library has such hardware
   */
 final case class SystemConfiguration(
@@ -23,8 +26,17 @@ final case class SystemConfiguration(
     options: DrawOptions,
     adjust: PackedVertex => PackedVertex = identity,
     renderer: RasterConfig => PassRenderer = new RasterModel(_),
+    format: ColorFormat = ColorFormat.Rgb565,
     built: Boolean = true
 ) {
+
+  /** A pixel of the hardware's picture, 0xRRGGBB, in the colours that it ends in: lower bits are cut. */
+  def shown(rgb: Int): Int =
+    if (format == ColorFormat.Rgb565) rgb
+    else
+      format.channels.zip(Seq(16, 8, 0)).map { case (bits, shift) =>
+        rint((rgb >> shift + 8 - bits & (1 << bits) - 1) * 255.0 / ((1 << bits) - 1)).toInt << shift
+      }.sum
 
   /** A prepared frame as it goes on the wire. */
   def sent(frame: PreparedFrame): PreparedFrame =
@@ -38,6 +50,7 @@ object SystemConfiguration {
   val Depth = "bits of depth"
   val Colors = "bits of interpolated colours"
   val Vertices = "sub-pixel bits of vertices"
+  val Picture = "colours of the picture, of 16 bits"
   val Affine = "affine mapping in place of perspective"
   val Scene = "made for this scene (by inspection)"
   val Fitted = "fitted to this scene (`fit`)"
@@ -71,8 +84,10 @@ object SystemConfiguration {
         built = false
       )
     )
+    val pictures = Seq(ColorFormat.Rgb444, ColorFormat.Rgb332)
+      .map(f => shipped.copy(group = Picture, setting = s"${f.bits} bits", format = f, built = false))
     val triangles = shipped.copy(group = Affine, setting = "whole triangles", adjust = flat)
-    (shipped +: tiles) ++ (if (textured) coordinates else Nil) ++ depth ++ (if (textured) Nil else colors) ++ snapped ++
+    (shipped +: tiles) ++ (if (textured) coordinates else Nil) ++ depth ++ (if (textured) Nil else colors) ++ snapped ++ pictures ++
       (if (textured) spans :+ triangles else Nil) ++ made(scene, base, options)
   }
 

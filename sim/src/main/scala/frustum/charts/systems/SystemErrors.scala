@@ -1,5 +1,6 @@
 package frustum.charts.systems
 
+import frustum.contract.raster.RasterConfig
 import frustum.driver.raster.{Driver, PreparedFrame}
 import frustum.driver.scene.Scene
 import frustum.judge.{EndToEndJudge, Flip, FragmentLog}
@@ -27,7 +28,7 @@ object SystemError {
 final class SystemErrors(scene: Scene, width: Int, height: Int) {
   private val flip = new Flip(width, height)
   private val world = {
-    val config = frustum.contract.raster.RasterConfig(width = width, height = height)
+    val config = RasterConfig(width = width, height = height)
     new WorldPicture(EndToEndJudge.view(scene, scene.camera, SystemConfiguration.plain(scene), config))
   }
 
@@ -45,7 +46,7 @@ final class SystemErrors(scene: Scene, width: Int, height: Int) {
       renderer.draw(pass, memory, image, Some(log))
       log.fragments
     }
-    val rgb = Picture.ofRgb565(image)
+    val rgb = Picture.ofRgb565(image).map(c.shown)
     SystemError(
       flip.mean(world.picture, rgb),
       EndToEnd.judge(world, None, EndToEndJudge.seen(sent, logs), rgb)

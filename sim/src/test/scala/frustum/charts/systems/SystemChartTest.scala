@@ -9,7 +9,16 @@ class SystemChartTest extends AnyFunSuite {
   private def point(setting: String, speed: Double, error: Double, placed: Boolean, cells: Option[Int], built: Boolean = true) =
     SystemPoint("group", setting, speed, 36, placed, built, cells, Seq(Some(error)))
   private def chart(points: Seq[SystemPoint], peers: Seq[PeerPoint] = Nil) =
-    SystemChart("name", "cube: frames a second against error", "frames a second", Seq("error, %"), points, peers, "Note.")
+    SystemChart(
+      "name",
+      "cube: frames a second against error",
+      "frames a second",
+      Seq("error, %"),
+      points,
+      peers,
+      "Note.",
+      cellsTitle = Some("cube: logic cells against error")
+    )
 
   private val slow = point("slow", 100, 1, placed = true, Some(4000))
   private val worse = point("worse", 90, 1, placed = true, Some(3000))

@@ -42,6 +42,18 @@ class SystemErrorsTest extends AnyFunSuite {
     }
   }
 
+  test("fewer bits of the picture are farther in FLIP and leave the texels as they are") {
+    val scene = Scenes.byName("cube")
+    val judge = new SystemErrors(scene, base.width, base.height)
+    val all = SystemConfiguration.all(scene, base)
+    val shipped = judge(all.head)
+    val pictures = all.filter(_.group == SystemConfiguration.Picture)
+    val errors = pictures.map(judge(_))
+    assert(errors.map(_.wrongPercent).forall(_ == shipped.wrongPercent))
+    assert((shipped +: errors).map(_.flip) == (shipped +: errors).map(_.flip).sorted)
+    assert(pictures.map(_.shown(0xffffff)).forall(_ == 0xffffff) && pictures.head.shown(0x8f1234) == 0x881133)
+  }
+
   test("a scene without textures has no configurations that only textures feel") {
     val groups = SystemConfiguration.all(Scenes.byName("teapot"), base).map(_.group)
     assert(!groups.contains(SystemConfiguration.Coordinates) && !groups.contains(SystemConfiguration.Affine))
