@@ -38,18 +38,16 @@ object StabilityMap {
 
   private def draw(results: Seq[SweepResult], canvas: Canvas): Unit = {
     canvas.text(14, 28, "Where methods fail: each bar runs through one quantity", 17, color = ink, bold = true)
-    meanings.foldLeft(14.0) { case (x, (state, words)) =>
-      canvas.box(x, 44, 18, 12, colors(state))
+    val states = meanings.map { case (state, words) => (colors(state), 12.0, words) }
+    val ranges = Seq((ink, 3.0, "declared domain"), (peerBlue, 3.0, "where compared systems work"))
+    (states ++ ranges).foldLeft(14.0) { case (x, (color, thick, words)) =>
+      canvas.box(x, 50 - thick / 2, 18, thick, color)
       canvas.text(x + 24, 54, words, Small, color = ink)
-      x + 24 + Canvas.widthOf(words, Small) + 22
+      x + 24 + Canvas.widthOf(words, Small) + 18
     }
-    canvas.box(560, 48, 26, 3, ink)
-    canvas.text(592, 54, "declared domain", Small, color = ink)
-    canvas.box(715, 48, 26, 3, peerBlue)
-    canvas.text(747, 54, "where compared systems work", Small, color = ink)
     canvas.text(14, 80, "quantity, and its unit", Small, color = pale)
     canvas.text(barLeft, 80, "above a bar: where a state begins; below: its ends", Small, color = pale)
-    canvas.text(Words, 80, "declared domain, and the greatest error there", Small, color = pale)
+    canvas.text(Words, 80, "declared domain; its bound", Small, color = pale)
     for ((r, i) <- results.zipWithIndex) row(r, Head + Row * i, canvas)
   }
 
@@ -58,7 +56,8 @@ object StabilityMap {
     def x(v: Double) = barLeft + place(r.sweep, v) * (barRight - barLeft)
     canvas.line(14, top, Plot.Width - 14, top, 1, new Color(0xe4e6ea))
     canvas.text(14, top + 27, d.quantity.replace('-', ' '), 13, color = ink, bold = true)
-    canvas.text(14, top + 43, d.unit, Small, color = pale)
+    for ((line, n) <- Canvas.wrapped(d.unit, Small, barLeft - 30).zipWithIndex)
+      canvas.text(14, top + 43 + 14 * n, line, Small, color = pale)
     for ((a, b, state) <- r.stretches) canvas.box(x(a), top + 18, (x(b) - x(a)).max(1), 14, colors(state))
     def range(low: Double, high: Double, below: Double, color: Color): Unit = {
       val (a, b) = (x(low), x(high))
@@ -85,7 +84,8 @@ object StabilityMap {
       canvas.text(Words, top + 54, s"others ${Scale.text(rounded(low))} to ${Scale.text(rounded(high))}", Small, color = peerBlue)
   }
 
-  private def rounded(v: Double): Double = BigDecimal(v).round(new java.math.MathContext(3)).toDouble
+  /** Whole numbers as they are, others in three digits. */
+  private def rounded(v: Double): Double = if (v.isWhole) v else BigDecimal(v).round(new java.math.MathContext(3)).toDouble
 
   /** Three digits. */
   def shortest(v: Double): String =

@@ -47,4 +47,11 @@ object Canvas {
   def widthOf(words: String, size: Double, bold: Boolean = false): Double = synchronized {
     ruler.getFontMetrics(font(size, bold)).stringWidth(words).toDouble
   }
+
+  /** The lines that a text takes where there is room for so many pixels, broken at blanks. */
+  def wrapped(words: String, size: Double, room: Double): Seq[String] =
+    words.split(' ').foldLeft(Vector("")) { (lines, word) =>
+      val longer = s"${lines.last} $word".trim
+      if (lines.last.isEmpty || widthOf(longer, size) <= room) lines.init :+ longer else lines :+ word
+    }
 }

@@ -24,11 +24,7 @@ object PlotDrawing {
 
   /** Each line of the legend with the lines of text it takes. */
   private def wrapped(plot: Plot): Seq[(LegendLine, Seq[String])] = plot.legend.map { l =>
-    val room = LegendWidth - (if (l.series.isDefined) 30 else 8)
-    l -> l.text.split(' ').foldLeft(Vector("")) { (lines, word) =>
-      val longer = s"${lines.last} $word".trim
-      if (Canvas.widthOf(longer, Text) <= room || lines.last.isEmpty) lines.init :+ longer else lines :+ word
-    }
+    l -> Canvas.wrapped(l.text, Text, LegendWidth - (if (l.series.isDefined) 30 else 8))
   }
 
   def draw(plot: Plot, canvas: Canvas): Unit = {
