@@ -18,6 +18,7 @@ import scala.collection.mutable
 
 /** Arguments of `chart systems`. */
 final case class SystemsOptions(
+    scenes: Seq[String] = Nil,
     obj: Seq[Path] = Nil,
     synthesis: Boolean = false,
     out: Path = Paths.get("out", "chart", "systems")
@@ -27,12 +28,18 @@ final case class SystemsOptions(
 object SystemsChart {
   val name = "systems"
 
+  private val Quad = "quad"
+  private val sceneNames = Scenes.names :+ Quad
+
   private val parser: OParser[_, SystemsOptions] = {
     val builder = OParser.builder[SystemsOptions]
     import builder._
     OParser.sequence(
       programName("./sbt chart systems"),
       head("chart systems: charts speed against error of whole renderers; writes out/chart/systems/index.html"),
+      opt[String]("scene")(Arguments.oneOf(sceneNames.map(n => n -> n): _*)).valueName(sceneNames.mkString("|")).unbounded()
+        .action((v, o) => o.copy(scenes = o.scenes :+ v))
+        .text("this one alone; may be given several times (default: all of them, rays and voxels)"),
       opt[Path]("obj")(Arguments.file).valueName("FILE").unbounded().action((v, o) => o.copy(obj = o.obj :+ v))
         .text("a mesh to chart as well: OBJ with MTL and pictures; may be given several times"),
       opt[Unit]("synthesis").action((_, o) => o.copy(synthesis = true)).text(
@@ -47,13 +54,15 @@ object SystemsChart {
   def run(args: Seq[String]): Int = Arguments.parse("chart systems", parser, args, SystemsOptions()).fold(0)(chart)
 
   private def chart(o: SystemsOptions): Int = {
-    val scenes = Scenes.names.map(Scenes.byName) :+ quad
+    val wanted = if (o.scenes.isEmpty) sceneNames else o.scenes.distinct
+    val scenes = wanted.map(n => if (n == Quad) quad else Scenes.byName(n))
+    val others = o.scenes.isEmpty // rays and voxels
     val meshes = o.obj.map(mesh)
     val doubles = (scenes ++ meshes).map(_.name).diff((scenes ++ meshes).map(_.name).distinct)
     doubles.headOption.foreach(n => throw InputError(s"--obj: a chart is named $n already; rename the file"))
     OutputFile.check(o.out.resolve("index.html"))
     def say(line: String): Unit = println(s"chart systems: $line")
-    val progress = Progress("chart systems", scenes.length + meshes.length + 2)
+    val progress = Progress("chart systems", scenes.length + meshes.length + (if (others) 2 else 0))
     val charts = mutable.ArrayBuffer.empty[SystemChart]
     def take(c: SystemChart): Unit = {
       c.write(o.out)
@@ -70,9 +79,11 @@ object SystemsChart {
         Some(PeerFigures.read()),
         say
       ).charts(scenes ++ meshes, take)
-      val others = new PlacedTops(None) // other parts' tools, and pins that no variant has
-      take(new RaySystems(others).chart)
-      take(new VoxelSystems(others).chart)
+      if (others) {
+        val reported = new PlacedTops(None) // other parts' tools, and pins that no variant has
+        take(new RaySystems(reported).chart)
+        take(new VoxelSystems(reported).chart)
+      }
     } catch { case MissingTool(message) => throw InputError(s"$message; or leave out --synthesis") }
     finally progress.close()
     OutputFile.writeText(o.out.resolve("systems.json"), ujson.write(json(charts.toSeq), indent = 2) + "\n")
@@ -91,7 +102,7 @@ object SystemsChart {
     val aspect = config.width.toDouble / config.height
     val options = ObjScene.Options(Some(folder.resolve("quad.png")), None, config.textureTexels, aspect)
     ObjScene.read(folder.resolve("quad.obj"), options)
-      .copy(name = "quad", camera = Camera(Vector3(0, 0, 2), Vector3.Zero, Vector3(0, 1, 0), 45, 1, 3, Some(2.0)))
+      .copy(name = Quad, camera = Camera(Vector3(0, 0, 2), Vector3.Zero, Vector3(0, 1, 0), 45, 1, 3, Some(2.0)))
   }
 
   /** A mesh as `render` frames it. */
