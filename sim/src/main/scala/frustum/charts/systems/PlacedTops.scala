@@ -27,7 +27,7 @@ final class PlacedTops(
     place: Option[BoardTop => BitstreamReport],
     cache: Path = PlacedTops.Cache,
     reports: Path = PlacedTops.Reports
-) {
+) extends (BoardTop => (Option[Placed], String)) {
 
   /** The figures of a top, and the digest of its Verilog. */
   def apply(top: BoardTop): (Option[Placed], String) = {

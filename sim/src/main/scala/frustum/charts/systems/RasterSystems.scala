@@ -1,5 +1,6 @@
 package frustum.charts.systems
 
+import frustum.boards.BoardTop
 import frustum.boards.icebreaker.IcebreakerTops
 import frustum.contract.InputError
 import frustum.contract.raster.{PlaneFormats, RasterConfig}
@@ -11,12 +12,13 @@ import scala.concurrent.{Await, ExecutionContext, Future}
 
 /** Renderers of triangles on the iCEBreaker: frames a second against errors, a chart for each scene.
   *
+  * @param tops         what place and route made of a top, and the digest of its Verilog, see [[PlacedTops]]
   * @param simulatesAll also of hardware made for one scene; otherwise only hardware that all scenes share is simulated where
   *                     its cycles are not known
   * @param compile      makes a simulation ready ahead of its use
   */
 final class RasterSystems(
-    tops: PlacedTops,
+    tops: BoardTop => (Option[Placed], String),
     cycles: SystemCycles,
     simulatesAll: Boolean,
     compile: RasterConfig => Unit,

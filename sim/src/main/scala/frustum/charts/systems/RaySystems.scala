@@ -15,7 +15,7 @@ import scala.math.rint
 /** Ray casters without a frame buffer: pixels a second, which are a pixel a cycle, against errors of silhouettes, of shading and
   * of the picture at the pins. The picture is pong's room in 160 x 120.
   */
-final class RaySystems(tops: PlacedTops) {
+final class RaySystems(tops: BoardTop => (Option[Placed], String)) {
   private val (width, height) = (160, 120)
   private val scene = PongScene.room(width, height, 640 / width)
   private val motion = RayMotion(Seq(IntVector(40, -60, 180)), Seq(IntVector(-100, 40, 640)))

@@ -1,6 +1,6 @@
 package frustum.charts.systems
 
-import frustum.boards.Tops
+import frustum.boards.{BoardTop, Tops}
 import frustum.boards.arty.ArtyTops
 import frustum.charts.{DirectionFamily, LeapFamily}
 import frustum.contract.voxel.{LeapField, VoxelConfig}
@@ -8,7 +8,7 @@ import frustum.contract.voxel.{LeapField, VoxelConfig}
 /** Worlds of blocks on the Arty: rays a second against the world's bits of memory, and against the error of the rays' directions.
   * The ring of the wide pipeline takes a step a cycle, so that rays a second are the clock over the steps of a ray, by the model.
   */
-final class VoxelSystems(tops: PlacedTops) {
+final class VoxelSystems(tops: BoardTop => (Option[Placed], String)) {
   private val shipped = ArtyTops.voxelConfig.voxel
   private val top = Tops.find("arty-voxel").get
   private lazy val placed = tops(top)._1.flatMap(_.clockMHz)
