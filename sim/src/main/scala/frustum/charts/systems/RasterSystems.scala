@@ -6,6 +6,7 @@ import frustum.contract.InputError
 import frustum.contract.raster.{PlaneFormats, RasterConfig}
 import frustum.driver.raster.PreparedFrame
 import frustum.driver.scene.Scene
+import java.nio.file.Path
 import scala.collection.mutable
 import scala.concurrent.duration.Duration
 import scala.concurrent.{Await, ExecutionContext, Future}
@@ -16,6 +17,7 @@ import scala.concurrent.{Await, ExecutionContext, Future}
   * @param simulatesAll also of hardware made for one scene; otherwise only hardware that all scenes share is simulated where
   *                     its cycles are not known
   * @param compile      makes a simulation ready ahead of its use
+  * @param fits         reports of `fit`
   */
 final class RasterSystems(
     tops: BoardTop => (Option[Placed], String),
@@ -23,7 +25,8 @@ final class RasterSystems(
     simulatesAll: Boolean,
     compile: RasterConfig => Unit,
     peer: Option[PeerFigures],
-    say: String => Unit
+    say: String => Unit,
+    fits: Path = FittedDesign.Reports
 ) {
   private val base = RasterConfig()
   private val known = mutable.Map.empty[RasterConfig, (Option[Placed], String)]
@@ -66,11 +69,11 @@ final class RasterSystems(
 
   /** What `fit` answered, unless its hardware does not take the scene as it is drawn here. */
   private def fitted(scene: Scene, judge: SystemErrors): Seq[Candidate] =
-    FittedDesign.read(scene.name, base, SystemConfiguration.plain(scene)).toSeq.flatMap { f =>
+    FittedDesign.read(scene.name, base, SystemConfiguration.plain(scene), fits).toSeq.flatMap { f =>
       try Seq(candidate(f.configuration, judge, f.placed))
       catch {
         case InputError(why) =>
-          say(s"${scene.name}: the design of ${FittedDesign.Reports} is left out: $why")
+          say(s"${scene.name}: the design of $fits is left out: $why")
           Nil
       }
     }

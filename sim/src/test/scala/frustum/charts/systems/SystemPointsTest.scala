@@ -13,9 +13,10 @@ class SystemPointsTest extends AnyFunSuite {
   private val unknown: BoardTop => (Option[Placed], String) = _ => (None, "digest")
 
   private def chart(tops: BoardTop => (Option[Placed], String), simulatesAll: Boolean): SystemChart = {
-    val cycles = new SystemCycles(_ => 80000L, Files.createTempDirectory("cycles"))
+    val empty = Files.createTempDirectory("systems")
+    val cycles = new SystemCycles(_ => 80000L, empty)
     var made = Option.empty[SystemChart]
-    new RasterSystems(tops, cycles, simulatesAll, _ => (), Some(PeerFigures.read()), _ => ())
+    new RasterSystems(tops, cycles, simulatesAll, _ => (), Some(PeerFigures.read()), _ => (), empty)
       .charts(Seq(Scenes.byName("cube")), c => made = Some(c))
     made.get
   }
