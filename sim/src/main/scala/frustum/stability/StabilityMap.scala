@@ -1,7 +1,9 @@
 package frustum.stability
 
-import frustum.charts.plot.{Anchor, Canvas, CanvasFiles, Plot, Scale}
-import java.awt.Color
+import frustum.charts.plot.{PictureFiles, Plot, Scale}
+import org.jfree.chart.text.{G2TextMeasurer, TextBlockAnchor, TextUtils}
+import java.awt.geom.Rectangle2D
+import java.awt.{Color, Font, Graphics2D}
 import java.nio.file.Path
 
 /** All sweeps as bars, one under the other, each along its own range, with its unit, its ends and where states change. */
@@ -30,62 +32,76 @@ object StabilityMap {
   private val Row = 66
   private val (barLeft, barRight) = (252.0, 672.0)
   private val Words = 690.0 // where the right column begins
-  private val Small = 11.5
+  private val small = PictureFiles.font(11.5)
 
   /** Writes `map.png` and `map.svg`. */
   def write(folder: Path, results: Seq[SweepResult]): Unit =
-    CanvasFiles.write(folder, "map", Plot.Width, Head + Row * results.length + 8)(draw(results, _))
+    PictureFiles.write(folder, "map", Plot.Width, Head + Row * results.length + 8)(new Drawing(_).draw(results))
 
-  private def draw(results: Seq[SweepResult], canvas: Canvas): Unit = {
-    canvas.text(14, 28, "Where methods fail: each bar runs through one quantity", 17, color = ink, bold = true)
-    val states = meanings.map { case (state, words) => (colors(state), 12.0, words) }
-    val ranges = Seq((ink, 3.0, "declared domain"), (peerBlue, 3.0, "where compared systems work"))
-    (states ++ ranges).foldLeft(14.0) { case (x, (color, thick, words)) =>
-      canvas.box(x, 50 - thick / 2, 18, thick, color)
-      canvas.text(x + 24, 54, words, Small, color = ink)
-      x + 24 + Canvas.widthOf(words, Small) + 18
+  private final class Drawing(g: Graphics2D) {
+    private def box(x: Double, y: Double, width: Double, height: Double, color: Color): Unit = {
+      g.setColor(color)
+      g.fill(new Rectangle2D.Double(x, y, width, height))
     }
-    canvas.text(14, 80, "quantity, and its unit", Small, color = pale)
-    canvas.text(barLeft, 80, "above a bar: where a state begins; below: its ends", Small, color = pale)
-    canvas.text(Words, 80, "declared domain; its bound", Small, color = pale)
-    for ((r, i) <- results.zipWithIndex) row(r, Head + Row * i, canvas)
-  }
+    private def text(x: Double, y: Double, words: String, color: Color = ink, font: Font = small): Unit = {
+      g.setFont(font)
+      g.setColor(color)
+      g.drawString(words, x.toFloat, y.toFloat)
+    }
+    private def widthOf(words: String): Double = g.getFontMetrics(small).stringWidth(words).toDouble
 
-  private def row(r: SweepResult, top: Double, canvas: Canvas): Unit = {
-    val d = r.sweep.domain
-    def x(v: Double) = barLeft + place(r.sweep, v) * (barRight - barLeft)
-    canvas.line(14, top, Plot.Width - 14, top, 1, new Color(0xe4e6ea))
-    canvas.text(14, top + 27, d.quantity.replace('-', ' '), 13, color = ink, bold = true)
-    for ((line, n) <- Canvas.wrapped(d.unit, Small, barLeft - 30).zipWithIndex)
-      canvas.text(14, top + 43 + 14 * n, line, Small, color = pale)
-    for ((a, b, state) <- r.stretches) canvas.box(x(a), top + 18, (x(b) - x(a)).max(1), 14, colors(state))
-    def range(low: Double, high: Double, below: Double, color: Color): Unit = {
-      val (a, b) = (x(low), x(high))
-      canvas.box(a.min(b - 4), top + below, (b - a).max(4), 3, color)
-    }
-    range(d.low, d.high, 35, ink)
-    for (peer <- r.sweep.peer; (low, high) <- peer.range) range(low, high, 40, peerBlue)
-    canvas.text(barLeft, top + 56, Scale.text(rounded(r.sweep.from)), Small, color = ink)
-    canvas.text(barRight, top + 56, Scale.text(rounded(r.sweep.to)), Small, Anchor.End, ink)
-    r.borders.foldLeft(barLeft - 40) { (taken, b) =>
-      val at = x(b.value)
-      val words = Seq(s"${Scale.text(rounded(b.value))} ${b.above.name}", Scale.text(rounded(b.value)))
-      words.map(w => w -> Canvas.widthOf(w, Small)).collectFirst {
-        case (w, width) if at.min(barRight + 10 - width) > taken + 6 => (w, at.min(barRight + 10 - width), width)
-      }.fold(taken) { case (w, start, width) =>
-        canvas.line(at, top + 14, at, top + 33, 1, ink)
-        canvas.text(start, top + 12, w, Small, color = ink)
-        start + width
+    def draw(results: Seq[SweepResult]): Unit = {
+      text(14, 28, "Where methods fail: each bar runs through one quantity", font = PictureFiles.font(17, bold = true))
+      val states = meanings.map { case (state, words) => (colors(state), 12.0, words) }
+      val ranges = Seq((ink, 3.0, "declared domain"), (peerBlue, 3.0, "where compared systems work"))
+      (states ++ ranges).foldLeft(14.0) { case (x, (color, thick, words)) =>
+        box(x, 50 - thick / 2, 18, thick, color)
+        text(x + 24, 54, words)
+        x + 24 + widthOf(words) + 18
       }
+      text(14, 80, "quantity, and its unit", pale)
+      text(barLeft, 80, "above a bar: where a state begins; below: its ends", pale)
+      text(Words, 80, "declared domain; its bound", pale)
+      for ((r, i) <- results.zipWithIndex) row(r, Head + Row * i)
     }
-    canvas.text(Words, top + 22, s"${Scale.text(rounded(d.low))} to ${Scale.text(rounded(d.high))}", Small, color = ink)
-    canvas.text(Words, top + 38, s"at most ${Scale.text(rounded(d.bound))} ${d.errorUnit}", Small, color = ink)
-    for (peer <- r.sweep.peer; (low, high) <- peer.range)
-      canvas.text(Words, top + 54, s"others ${Scale.text(rounded(low))} to ${Scale.text(rounded(high))}", Small, color = peerBlue)
+
+    private def row(r: SweepResult, top: Double): Unit = {
+      val d = r.sweep.domain
+      def x(v: Double) = barLeft + place(r.sweep, v) * (barRight - barLeft)
+      box(14, top, Plot.Width - 28, 1, new Color(0xe4e6ea))
+      text(14, top + 27, d.quantity.replace('-', ' '), font = PictureFiles.font(13, bold = true))
+      TextUtils.createTextBlock(d.unit, small, pale, (barLeft - 30).toFloat, new G2TextMeasurer(g))
+        .draw(g, 14, (top + 32).toFloat, TextBlockAnchor.TOP_LEFT)
+      for ((a, b, state) <- r.stretches) box(x(a), top + 18, (x(b) - x(a)).max(1), 14, colors(state))
+      def range(low: Double, high: Double, below: Double, color: Color): Unit = {
+        val (a, b) = (x(low), x(high))
+        box(a.min(b - 4), top + below, (b - a).max(4), 3, color)
+      }
+      range(d.low, d.high, 35, ink)
+      for (peer <- r.sweep.peer; (low, high) <- peer.range) range(low, high, 40, peerBlue)
+      text(barLeft, top + 56, number(r.sweep.from))
+      text(barRight - widthOf(number(r.sweep.to)), top + 56, number(r.sweep.to))
+      r.borders.foldLeft(barLeft - 40) { (taken, b) =>
+        val at = x(b.value)
+        val words = Seq(s"${number(b.value)} ${b.above.name}", number(b.value))
+        words.map(w => w -> widthOf(w)).collectFirst {
+          case (w, width) if at.min(barRight + 10 - width) > taken + 6 => (w, at.min(barRight + 10 - width), width)
+        }.fold(taken) { case (w, start, width) =>
+          box(at - 0.5, top + 14, 1, 19, ink)
+          text(start, top + 12, w)
+          start + width
+        }
+      }
+      text(Words, top + 22, s"${number(d.low)} to ${number(d.high)}")
+      text(Words, top + 38, s"at most ${number(d.bound)} ${d.errorUnit}")
+      for (peer <- r.sweep.peer; (low, high) <- peer.range)
+        text(Words, top + 54, s"others ${number(low)} to ${number(high)}", peerBlue)
+    }
   }
 
   /** Whole numbers as they are, others in three digits. */
-  private def rounded(v: Double): Double = if (v.isWhole) v else BigDecimal(v).round(new java.math.MathContext(3)).toDouble
+  private def number(v: Double): String =
+    Scale.text(if (v.isWhole) v else BigDecimal(v).round(new java.math.MathContext(3)).toDouble)
 
   /** Three digits. */
   def shortest(v: Double): String =
