@@ -2,7 +2,7 @@ package frustum.charts.plot
 
 import org.jfree.chart.JFreeChart
 import org.jfree.chart.annotations.XYBoxAnnotation
-import org.jfree.chart.plot.{IntervalMarker, XYPlot}
+import org.jfree.chart.plot.{DatasetRenderingOrder, IntervalMarker, SeriesRenderingOrder, XYPlot}
 import org.jfree.chart.renderer.xy.XYItemRenderer
 import org.jfree.chart.text.{G2TextMeasurer, TextBlock, TextBlockAnchor, TextUtils}
 import org.jfree.chart.ui.{Layer, RectangleInsets}
@@ -92,8 +92,8 @@ object PlotDrawing {
     layer(0, new FrontRenderer, panel.fronts)
     layer(1, new PointRenderer(points, panel.joined), points.map(_.map(p => (p.x, p.y))))
     layer(2, new MarkRenderer(panel.marks), Seq(panel.marks.map(m => (m.x, m.y))))
-    xy.setDatasetRenderingOrder(org.jfree.chart.plot.DatasetRenderingOrder.FORWARD)
-    xy.setSeriesRenderingOrder(org.jfree.chart.plot.SeriesRenderingOrder.FORWARD)
+    xy.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD)
+    xy.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD)
     xy.addAnnotation(new PlotLabels(panel, Text, Ink))
     xy
   }

@@ -1,6 +1,5 @@
 package frustum.charts.systems
 
-import frustum.charts.plot.{PlotDrawing, SvgCanvas}
 import org.scalatest.funsuite.AnyFunSuite
 import java.nio.file.Files
 import javax.imageio.ImageIO
@@ -74,8 +73,9 @@ class SystemChartTest extends AnyFunSuite {
     assert(out.toFile.list().toSet ==
       Set("name.csv", "name.png", "name.svg", "name-cells.png", "name-cells.svg"))
     assert(ImageIO.read(out.resolve("name.png").toFile).getWidth == 960)
-    val svg = new SvgCanvas(960, 400)
-    PlotDrawing.draw(chart(Seq(slow)).speedPlot, svg)
-    assert(svg.document.contains("frames a second") && svg.document.contains("1 slow"))
+    val svg = Files.readString(out.resolve("name.svg"))
+    assert(svg.contains("frames a second") && svg.contains("1 slow"))
+    chart(Seq(slow, fast)).write(out)
+    assert(Files.readString(out.resolve("name.svg")) == svg, "the same chart is another file")
   }
 }
