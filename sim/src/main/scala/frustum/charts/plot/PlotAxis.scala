@@ -1,6 +1,6 @@
 package frustum.charts.plot
 
-import org.jfree.chart.axis.{AxisState, LogAxis, NumberAxis, NumberTick, TickType, ValueAxis}
+import org.jfree.chart.axis.{AxisState, LogAxis, NumberAxis, NumberTick, NumberTickUnit, NumberTickUnitSource, TickType, ValueAxis}
 import org.jfree.chart.ui.{RectangleEdge, TextAnchor}
 import java.awt.Graphics2D
 import java.awt.geom.Rectangle2D
@@ -11,9 +11,19 @@ import scala.math.{floor, log10, pow}
 /** The library's axis for a scale. */
 object PlotAxis {
   def apply(label: String, scale: Scale): ValueAxis = {
-    val axis = if (scale.log) new DecadesAxis(scale) else new NumberAxis
+    val axis = if (scale.log) new DecadesAxis(scale) else evenAxis(scale)
     axis.setLabel(label)
     axis.setRange(scale.start, scale.high)
+    axis
+  }
+
+  /** Steps of 1, 2 or 5 times a power of ten, of which an axis has 3 to 9: left to itself it chooses steps of which it has
+    * two.
+    */
+  private def evenAxis(scale: Scale): NumberAxis = {
+    val axis = new NumberAxis
+    val step = new NumberTickUnitSource().getCeilingTickUnit((scale.high - scale.low) / 8).getSize
+    axis.setTickUnit(new NumberTickUnit(step) { override def valueToString(v: Double): String = Scale.text(v) })
     axis
   }
 
