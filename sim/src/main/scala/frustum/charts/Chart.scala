@@ -1,12 +1,10 @@
 package frustum.charts
 
+import frustum.charts.plot.{LegendLine, Panel, Plot, PlotDrawing, PlotMark, PlotPoint, Scale}
+import frustum.charts.systems.ParetoFront
 import frustum.files.OutputFile
 import frustum.synthesis.UnitCost
-import org.knowm.xchart.BitmapEncoder.BitmapFormat
-import org.knowm.xchart.XYSeries.XYSeriesRenderStyle
-import org.knowm.xchart.style.markers.SeriesMarkers
-import org.knowm.xchart.{AnnotationText, BitmapEncoder, XYChart, XYChartBuilder}
-import java.nio.file.{Files, Path}
+import java.nio.file.Path
 
 /** A method at one setting.
   *
@@ -26,7 +24,7 @@ final case class ChartPoint(
 /** Error against cost.
   *
   * @param shipped the library's default, @param peer what the systems it is compared with do
-  * @param floor errors below this are drawn at it: a logarithmic axis has no 0
+  * @param floor errors below this count as none
   * @param note how to read it
   * @param scenes whether the lines are scenes, which do not compete: each has a front of its own
   */
@@ -48,11 +46,7 @@ final case class Chart(
   /** Those that no other beats in both, by rising cost. */
   def fronts: Seq[Seq[ChartPoint]] = {
     val rivals = if (scenes) methods.map(m => points.filter(_.method == m)) else Seq(points)
-    rivals.map(all =>
-      all.filterNot(p =>
-        all.exists(o => o.cost <= p.cost && o.error <= p.error && (o.cost < p.cost || o.error < p.error))
-      ).sortBy(_.cost)
-    )
+    rivals.map(ParetoFront(_)(_.cost, _.error))
   }
   def front: Seq[ChartPoint] = fronts.flatten
 
@@ -73,41 +67,43 @@ final case class Chart(
     (head +: rows).mkString("", "\n", "\n")
   }
 
-  /** Writes `<name>.png` and `<name>.csv`. */
+  /** Writes `<name>.png`, `<name>.svg` and `<name>.csv`. */
   def write(folder: Path): Unit = {
     OutputFile.writeText(folder.resolve(s"$name.csv"), csv)
-    OutputFile.write(folder.resolve(s"$name.png")) { part =>
-      Files.write(part, BitmapEncoder.getBitmapBytes(picture, BitmapFormat.PNG))
-    }
+    PlotDrawing.write(folder, name, plot)
   }
 
-  private def picture: XYChart = {
-    val chart =
-      new XYChartBuilder().width(
-        960
-      ).height(600).title(title).xAxisTitle(costAxis).yAxisTitle(errorAxis).build()
-    chart.getStyler.setYAxisLogarithmic(true).setXAxisLogarithmic(logCost)
-    def add(name: String, shown: Seq[ChartPoint]) =
-      chart.addSeries(name, shown.map(_.cost).toArray, shown.map(_.error.max(floor)).toArray)
-    for (method <- methods)
-      add(method, points.filter(_.method == method).sortBy(_.cost))
-    for ((front, n) <- fronts.zipWithIndex)
-      add(if (n == 0) "Pareto front" else s"front $n", front).setMarker(SeriesMarkers.NONE).setLineWidth(6)
-        .setLineColor(new java.awt.Color(0, 0, 0, 40)).setShowInLegend(n == 0)
-    for (
-      (what, point, marker) <-
-        Seq(("shipped", shipped, SeriesMarkers.DIAMOND), ("the peers'", peer, SeriesMarkers.CROSS));
-      p <- point
-    ) {
-      val series = add(what, Seq(p))
-      series.setMarker(marker).setMarkerColor(java.awt.Color.RED)
-      series.setXYSeriesRenderStyle(XYSeriesRenderStyle.Scatter)
-    }
-    val drawn = points.map(_.error.max(floor))
-    val above = math.pow(drawn.max / drawn.min, 0.03) // so much of the axis lies between a point and its clock
-    for (p <- points; mhz <- p.hardware.flatMap(_.clockMHz))
-      chart.addAnnotation(new AnnotationText(f"$mhz%.0f MHz", p.cost, p.error.max(floor) * above, false))
-    chart.getStyler.setMarkerSize(9)
-    chart
+  def plot: Plot = {
+    def mark(p: Option[ChartPoint], cross: Boolean) = p.map(m => PlotMark("", m.cost, m.error, cross)).toSeq
+    val words = Seq(
+      shipped.map(p => s"Red diamond: the library's default, ${p.setting}."),
+      peer.map(p => s"Red cross: what the compared systems do${if (p.setting.isEmpty) "" else s", ${p.setting}"}."),
+      Some(if (scenes) "Grey: the Pareto front of each scene." else "Grey: the Pareto front, what nothing beats in both.")
+    ).flatten
+    val panel = Panel(
+      costAxis,
+      errorAxis,
+      Scale.over((points ++ peer).map(_.cost), logCost),
+      Scale.over((points ++ peer).map(_.error), log = true, floor),
+      points.map(p =>
+        PlotPoint(
+          p.method,
+          p.cost,
+          shown(p.error),
+          p.hardware.flatMap(_.clockMHz).fold("")(mhz => f"$mhz%.0f MHz")
+        )
+      ),
+      fronts.map(_.map(p => (p.cost, shown(p.error)))),
+      marks = mark(shipped, cross = false) ++ mark(peer, cross = true),
+      joined = true
+    )
+    Plot(
+      title,
+      Seq(panel),
+      methods.map(m => LegendLine(m, Some(m))) ++ ("" +: words).map(LegendLine(_)),
+      panelHeight = 540
+    )
   }
+
+  private def shown(error: Double) = if (error < floor) 0 else error
 }

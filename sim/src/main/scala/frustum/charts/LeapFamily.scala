@@ -22,8 +22,13 @@ object LeapFamily extends ChartFamily {
   private lazy val worlds = (1 to 3).map(Hills(base.size, _))
 
   /** Mean steps a ray. */
-  def steps(field: LeapField): Double = {
-    val c = base.copy(leaps = field)
+  def steps(field: LeapField): Double = steps(base.copy(leaps = field))
+
+  /** The same of any configuration of a world of this size, on pictures of this family's size. */
+  def steps(config: VoxelConfig): Double = {
+    val c = config.copy(width = base.width, height = base.height)
+    require(c.size == base.size, s"a world of ${c.size}: the hills are of ${base.size}")
+    val field = c.leaps
     val counts = for {
       world <- worlds
       march = new Marcher(c, Blocks.table, LeapWords(world, field))

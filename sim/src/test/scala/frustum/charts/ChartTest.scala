@@ -138,13 +138,24 @@ class ChartTest extends AnyFunSuite {
     val out = Files.createTempDirectory("chart")
     val run = CommandRunner.run("chart", "colour", "--no-synthesis", "--out", out.toString)
     assert(run.code == 0, run)
-    assert(out.toFile.list().toSet == Set("index.html", "chart.json", "colour-bits.png", "colour-bits.csv"))
+    assert(out.toFile.list().toSet ==
+      Set("index.html", "chart.json", "colour-bits.png", "colour-bits.svg", "colour-bits.csv"))
     assert(ImageIO.read(out.resolve("colour-bits.png").toFile).getWidth == 960)
     val points = ujson.read(Files.readString(out.resolve("chart.json")))("charts")(0)("points").arr
     assert(points.count(_("shipped").bool) == 1 && points.exists(_("front").bool))
   }
 
-  for ((words, part) <- Seq(Seq("chart", "taste") -> "perspective", Seq("chart", "--deep") -> "--deep"))
+  for (
+    (words, part) <- Seq(
+      Seq("chart", "taste") -> "perspective",
+      Seq("chart", "--deep") -> "--deep",
+      Seq("chart", "systemz") -> "did you mean systems?",
+      Seq("chart", "leap") -> "did you mean leaps?",
+      Seq("chart", "systems", "--obj", "nothing.obj") -> "nothing.obj",
+      Seq("chart", "systems", "--scene", "teepot") -> "teapot",
+      Seq("chart", "systems", "--deep") -> "--deep"
+    )
+  )
     test(s"refused: ${words.mkString(" ")}") {
       val run = CommandRunner.run(words: _*)
       assert(

@@ -30,7 +30,8 @@ object ChartCommand extends CommandLine {
       programName("./sbt chart"),
       head(s"chart: $summary"),
       arg[ChartFamily]("FAMILY")(Arguments.oneOf(ChartFamily.all.map(f => f.name -> f): _*)).optional()
-        .action((v, o) => o.copy(family = Some(v))).text(s"one of ${names.mkString(", ")} (default: all)"),
+        .action((v, o) => o.copy(family = Some(v)))
+        .text(s"one of ${names.mkString(", ")} (default: all),\nor ${SystemsChart.name}: see ./sbt \"chart systems --help\""),
       opt[Unit]("no-synthesis").action((_, o) => o.copy(synthesis = false))
         .text("without yosys: families whose cost is cells show bits instead or are left out"),
       opt[Path]("out")(
@@ -40,7 +41,13 @@ object ChartCommand extends CommandLine {
     )
   }
 
-  def run(args: Seq[String]): Int = Arguments.parse(name, parser, args, ChartOptions()).fold(0)(chart)
+  def run(args: Seq[String]): Int =
+    if (args.headOption.contains(SystemsChart.name)) SystemsChart.run(args.tail)
+    else {
+      val family = args.headOption.filterNot(_.startsWith("-"))
+      for (f <- family if !names.contains(f)) throw NearestName.unknown("FAMILY", f, names :+ SystemsChart.name)
+      Arguments.parse(name, parser, args, ChartOptions()).fold(0)(chart)
+    }
 
   private def chart(o: ChartOptions): Int = {
     val families = o.family.fold(ChartFamily.all)(Seq(_))
@@ -67,7 +74,7 @@ object ChartCommand extends CommandLine {
 
   private def figure(out: Path, c: Chart): String = {
     val data = Page.source(out.resolve(s"${c.name}.png"))
-    s"""<figure><img alt="${c.title}" src="$data"><figcaption>${c.note} Data: ${c.name}.csv.</figcaption></figure>"""
+    s"""<figure><img alt="${c.title}" src="$data"><figcaption>${c.note} Data: ${c.name}.csv; the same picture as ${c.name}.svg.</figcaption></figure>"""
   }
 
   private def json(charts: Seq[Chart]) = ujson.Obj(

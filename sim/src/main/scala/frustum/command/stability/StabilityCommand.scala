@@ -51,7 +51,7 @@ object StabilityCommand extends CommandLine {
   }
 
   private def write(out: Path, results: Seq[SweepResult], failures: Seq[String]): Unit = {
-    StabilityMap.write(out.resolve("map.png"), results)
+    StabilityMap.write(out, results)
     val csv = "method,quantity,unit,value,state,error,error unit,reason" +: results.flatMap(r =>
       r.trials.map(t =>
         Seq(
@@ -90,7 +90,7 @@ object StabilityCommand extends CommandLine {
       Page(
         "Frustum: where methods fail",
         s"""<figure><img alt="map" src="$picture">
-           |<figcaption>${StabilityMap.HowToRead} Data: stability.csv.</figcaption></figure>
+           |<figcaption>${StabilityMap.HowToRead} Data: stability.csv; the same picture as map.svg.</figcaption></figure>
            |<table><tr>${headers.map(h => s"<th>$h</th>").mkString}</tr>
            |$rows
            |</table>""".stripMargin

@@ -1,0 +1,36 @@
+package frustum.charts.plot
+
+import frustum.files.OutputFile
+import org.jfree.chart.ChartUtils
+import org.jfree.svg.SVGGraphics2D
+import java.awt.image.BufferedImage
+import java.awt.{Color, Font, Graphics2D, RenderingHints}
+import java.nio.file.{Files, Path}
+
+/** A drawing as two files: pixels for pages, and shapes and words that stay sharp at any size. */
+object PictureFiles {
+
+  /** @param size pixels */
+  def font(size: Double, bold: Boolean = false): Font =
+    new Font(Font.SANS_SERIF, if (bold) Font.BOLD else Font.PLAIN, 12).deriveFont(size.toFloat)
+
+  /** To measure texts with before the size of a picture is known. */
+  def ruler: Graphics2D = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics()
+
+  /** Writes `<name>.png` and `<name>.svg`, white where nothing is drawn. */
+  def write(folder: Path, name: String, width: Int, height: Int)(draw: Graphics2D => Unit): Unit = {
+    def drawn[G <: Graphics2D](g: G): G = {
+      g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON)
+      g.setColor(Color.WHITE)
+      g.fillRect(0, 0, width, height)
+      draw(g)
+      g
+    }
+    val svg = new SVGGraphics2D(width, height)
+    svg.setDefsKeyPrefix(name) // by default it is the time, and the file another one each time
+    OutputFile.writeText(folder.resolve(s"$name.svg"), drawn(svg).getSVGDocument)
+    val image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)
+    drawn(image.createGraphics())
+    OutputFile.write(folder.resolve(s"$name.png"))(part => Files.write(part, ChartUtils.encodeAsPNG(image)))
+  }
+}
