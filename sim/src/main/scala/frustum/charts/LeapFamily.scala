@@ -10,7 +10,9 @@ import frustum.model.voxel.world.LeapWords
 import frustum.scene.Hills
 import frustum.synthesis.UnitCosts
 
-/** Leaps of the voxel world: bits of a memory word against steps of a ray, which are clocks, over hills of three seeds. */
+/** Leaps of the voxel world: bits of a memory word against steps of a ray, which are clocks, over hills of three
+  * seeds.
+  */
 object LeapFamily extends ChartFamily {
   val name = "leaps"
 

@@ -4,7 +4,9 @@ import frustum.charts.plot.{Anchor, Canvas, CanvasFiles, Plot, Scale}
 import java.awt.Color
 import java.nio.file.Path
 
-/** All sweeps as bars, one under the other, each along its own range, with its unit, its ends and where states change. */
+/** All sweeps as bars, one under the other, each along its own range, with its unit, its ends and where states
+  * change.
+  */
 object StabilityMap {
   val HowToRead: String =
     "Each bar runs through one quantity, evenly by its logarithm (or evenly where it is a whole number): green within the method's bound, yellow beyond it and " +

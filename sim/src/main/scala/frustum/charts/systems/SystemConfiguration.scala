@@ -91,7 +91,9 @@ object SystemConfiguration {
       (if (textured) spans :+ triangles else Nil) ++ made(scene, base, options)
   }
 
-  /** Hardware that can do what the scene asks for and no more; with the divide that suits depths near each other, and without. */
+  /** Hardware that can do what the scene asks for and no more; with the divide that suits depths near each other, and
+    * without.
+    */
   private def made(scene: Scene, base: RasterConfig, options: DrawOptions): Seq[SystemConfiguration] = {
     val features = FitFeatures(scene, base, options)
     val own = SystemConfiguration(Scene, "as inspected", features.config, features.options)
