@@ -78,7 +78,8 @@ final case class Chart(
     val words = Seq(
       shipped.map(p => s"Red diamond: the library's default, ${p.setting}."),
       peer.map(p => s"Red cross: what the compared systems do${if (p.setting.isEmpty) "" else s", ${p.setting}"}."),
-      Some(if (scenes) "Grey: the Pareto front of each scene." else "Grey: the Pareto front, what nothing beats in both.")
+      Some(if (scenes) "Grey: the Pareto front of each scene."
+      else "Grey: the Pareto front, what nothing beats in both.")
     ).flatten
     val panel = Panel(
       costAxis,

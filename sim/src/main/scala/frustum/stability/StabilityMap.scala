@@ -6,7 +6,9 @@ import java.awt.geom.Rectangle2D
 import java.awt.{Color, Font, Graphics2D}
 import java.nio.file.Path
 
-/** All sweeps as bars, one under the other, each along its own range, with its unit, its ends and where states change. */
+/** All sweeps as bars, one under the other, each along its own range, with its unit, its ends and where states
+  * change.
+  */
 object StabilityMap {
   val HowToRead: String =
     "Each bar runs through one quantity, evenly by its logarithm (or evenly where it is a whole number): green " +

@@ -13,7 +13,8 @@ final case class Labelled(x: Double, y: Double, radius: Double, text: String, wi
 
 /** Where labels go so that none lies over another or over a point: beside their point, else farther away. */
 object LabelPlacement {
-  private val Directions = Seq(0, 180, 270, 90, 315, 225, 45, 135, 340, 20, 200, 160) // degrees clockwise from the right
+  private val Directions =
+    Seq(0, 180, 270, 90, 315, 225, 45, 135, 340, 20, 200, 160) // degrees clockwise from the right
   private val Rings = Seq(3, 14, 28, 44, 64) // pixels from the point's border
 
   /** A rectangle for each; None where there is no room. */

@@ -63,7 +63,9 @@ object Plot {
 
   /** Colours that people who see red and green alike tell apart (Okabe and Ito, "Color Universal Design", 2008). */
   val Colors: IndexedSeq[Color] =
-    IndexedSeq(0x0072b2, 0xe69f00, 0x009e73, 0xcc79a7, 0x56b4e9, 0x8c6d1f, 0x6a3d9a, 0x444444, 0xb8a800).map(new Color(_))
+    IndexedSeq(
+      0x0072b2, 0xe69f00, 0x009e73, 0xcc79a7, 0x56b4e9, 0x8c6d1f, 0x6a3d9a, 0x444444, 0xb8a800
+    ).map(new Color(_))
 
   /** Of what is marked. */
   val Marked = new Color(0xd62728)

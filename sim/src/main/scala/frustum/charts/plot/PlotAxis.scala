@@ -1,6 +1,15 @@
 package frustum.charts.plot
 
-import org.jfree.chart.axis.{AxisState, LogAxis, NumberAxis, NumberTick, NumberTickUnit, NumberTickUnitSource, TickType, ValueAxis}
+import org.jfree.chart.axis.{
+  AxisState,
+  LogAxis,
+  NumberAxis,
+  NumberTick,
+  NumberTickUnit,
+  NumberTickUnitSource,
+  TickType,
+  ValueAxis
+}
 import org.jfree.chart.ui.{RectangleEdge, TextAnchor}
 import java.awt.Graphics2D
 import java.awt.geom.Rectangle2D
@@ -31,7 +40,12 @@ object PlotAxis {
     * ten alone, of which many an axis has one.
     */
   private final class DecadesAxis(scale: Scale) extends LogAxis {
-    override def refreshTicks(g: Graphics2D, s: AxisState, area: Rectangle2D, edge: RectangleEdge): java.util.List[_] = {
+    override def refreshTicks(
+        g: Graphics2D,
+        s: AxisState,
+        area: Rectangle2D,
+        edge: RectangleEdge
+    ): java.util.List[_] = {
       val flat = RectangleEdge.isTopOrBottom(edge)
       val anchor = if (flat) TextAnchor.TOP_CENTER else TextAnchor.CENTER_RIGHT
       val font = g.getFontMetrics(getTickLabelFont)
@@ -47,8 +61,9 @@ object PlotAxis {
         case Nil => chosen
       }
       val none = Option.when(scale.zero)(scale.zeroAt).toSeq
-      (none.map(_ -> "none") ++ choose(ranks, none).drop(none.length).map(v => v -> Scale.text(v))).map { case (v, text) =>
-        new NumberTick(TickType.MAJOR, v, text, anchor, TextAnchor.CENTER, 0)
+      (none.map(_ -> "none") ++ choose(ranks, none).drop(none.length).map(v => v -> Scale.text(v))).map {
+        case (v, text) =>
+          new NumberTick(TickType.MAJOR, v, text, anchor, TextAnchor.CENTER, 0)
       }.asJava
     }
 

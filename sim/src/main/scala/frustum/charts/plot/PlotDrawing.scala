@@ -24,7 +24,9 @@ object PlotDrawing {
   /** Writes `<name>.png` and `<name>.svg`. */
   def write(folder: Path, name: String, plot: Plot): Unit = {
     val ruler = PictureFiles.ruler
-    val legend = legendOf(plot, ruler).map { case (_, block) => block.calculateDimensions(ruler).height + LegendGap }.sum
+    val legend = legendOf(plot, ruler).map { case (_, block) =>
+      block.calculateDimensions(ruler).height + LegendGap
+    }.sum
     val height = Top + (plot.panels.length * plot.panelHeight).max(legend.ceil.toInt + 20)
     PictureFiles.write(folder, name, Plot.Width, height)(draw(plot, _))
   }
@@ -88,7 +90,8 @@ object PlotDrawing {
       xy.setRenderer(index, renderer)
     }
     // A line runs from left to right; without one the small points lie on the large.
-    val points = plot.series.map(s => panel.points.filter(_.series == s).sortBy(p => if (panel.joined) p.x else -p.radius))
+    val points =
+      plot.series.map(s => panel.points.filter(_.series == s).sortBy(p => if (panel.joined) p.x else -p.radius))
     layer(0, new FrontRenderer, panel.fronts)
     layer(1, new PointRenderer(points, panel.joined), points.map(_.map(p => (p.x, p.y))))
     layer(2, new MarkRenderer(panel.marks), Seq(panel.marks.map(m => (m.x, m.y))))

@@ -5,9 +5,10 @@ import frustum.model.raster.fragment.Fragment
 import frustum.model.raster.texture.{Divide, TextureUnit}
 import frustum.model.raster.{FragmentModel, FragmentProbe, FragmentSink, PassRenderer, Rasterizer}
 
-/** The model with affine spans in place of a division for each pixel: texture coordinates are divided at the first and the last
-  * pixel of a triangle's row in a tile and at every `length`th between, and interpolated from one to the next, as Quake did
-  * (Abrash, "Graphics Programming Black Book", chapter 70). The library has no such hardware: this is the method's error alone.
+/** The model with affine spans in place of a division for each pixel. Texture coordinates are divided at the first and
+  * the last pixel of a triangle's row in a tile and at every `length`th between, and interpolated from one to the next
+  * (Abrash, "Graphics Programming Black Book", chapter 70). The library has no such hardware: this is the method's
+  * error alone.
   */
 final class AffineSpans(config: RasterConfig, length: Int) extends PassRenderer {
   require(length >= 2, s"spans of $length pixels: at least 2")

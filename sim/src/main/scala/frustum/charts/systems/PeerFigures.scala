@@ -30,7 +30,8 @@ object PeerFigures {
   private val Column = "Rasterix"
 
   def read(document: Path = Document): PeerFigures = {
-    val rows = Files.readString(document).linesIterator.filter(_.startsWith("|")).map(_.split('|').map(_.trim).toSeq).toSeq
+    val rows =
+      Files.readString(document).linesIterator.filter(_.startsWith("|")).map(_.split('|').map(_.trim).toSeq).toSeq
 
     /** The cell in the column of the row that has this word, of the table that the row belongs to. */
     def figures(word: String): (Double, Double) = {

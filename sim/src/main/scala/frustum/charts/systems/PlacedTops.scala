@@ -44,7 +44,9 @@ final class PlacedTops(
 
   private def verilog(top: BoardTop): String = {
     val folder = OutputFile.folder(cache.resolve("work"))
-    Console.withOut(OutputStream.nullOutputStream)(top.writeVerilog(folder.toString)) // SpinalHDL tells each of its steps
+    Console.withOut(OutputStream.nullOutputStream)(
+      top.writeVerilog(folder.toString)
+    ) // SpinalHDL tells each of its steps
     Files.readString(folder.resolve(s"${top.name}.v"))
   }
 

@@ -14,8 +14,8 @@ import scala.concurrent.{Await, ExecutionContext, Future}
 /** Renderers of triangles on the iCEBreaker: frames a second against errors, a chart for each scene.
   *
   * @param tops         what place and route made of a top, and the digest of its Verilog, see [[PlacedTops]]
-  * @param simulatesAll also of hardware made for one scene; otherwise only hardware that all scenes share is simulated where
-  *                     its cycles are not known
+  * @param simulatesAll also hardware made for one scene is simulated where its cycles are not known; otherwise only
+  *                     hardware that all scenes share is
   * @param compile      makes a simulation ready ahead of its use
   * @param fits         reports of `fit`
   */
@@ -36,7 +36,12 @@ final class RasterSystems(
     * @param frame   for [[RasterSystems.timed]]
     * @param verilog digest of that hardware
     */
-  private case class Candidate(system: SystemConfiguration, placed: Option[Placed], verilog: String, frame: PreparedFrame) {
+  private case class Candidate(
+      system: SystemConfiguration,
+      placed: Option[Placed],
+      verilog: String,
+      frame: PreparedFrame
+  ) {
     val simulated: Boolean = simulatesAll || !Set(SystemConfiguration.Scene, SystemConfiguration.Fitted)(system.group)
     def cycles(simulate: Boolean): Option[Long] = RasterSystems.this.cycles(frame, verilog, simulate && simulated)
   }
@@ -124,8 +129,8 @@ final class RasterSystems(
 
 object RasterSystems {
 
-  /** Hardware that takes as many cycles for every frame, so that it is simulated in place of several: bits that the planes go
-    * without narrow adders and registers, and nothing waits for what they hold.
+  /** Hardware that takes as many cycles for every frame, so that it is simulated in place of several: bits that the
+    * planes go without narrow adders and registers, and nothing waits for what they hold.
     */
   def timed(config: RasterConfig): RasterConfig = config.copy(formats = PlaneFormats())
 }

@@ -12,8 +12,8 @@ import frustum.model.video.OrderedDither
 import frustum.reference.ray.ExactRay
 import scala.math.rint
 
-/** Ray casters without a frame buffer: pixels a second, which are a pixel a cycle, against errors of silhouettes, of shading and
-  * of the picture at the pins. The picture is pong's room in 160 x 120.
+/** Ray casters without a frame buffer: pixels a second, which are a pixel a cycle, against errors of silhouettes, of
+  * shading and of the picture at the pins. The picture is pong's room in 160 x 120.
   */
 final class RaySystems(tops: BoardTop => (Option[Placed], String)) {
   private val (width, height) = (160, 120)
@@ -100,7 +100,14 @@ final class RaySystems(tops: BoardTop => (Option[Placed], String)) {
     val formats = for {
       (dither, how) <- Seq(true -> "dithered", false -> "cut")
       f <- Seq(ColorFormat.Rgb332, ColorFormat.Rgb444, ColorFormat.Rgb565) if f != pins || !dither
-    } yield point(s"colours at the pins, $how", f.name, None, built = true, aimed, (None, None, Some(flipOf(f, dither))))
+    } yield point(
+      s"colours at the pins, $how",
+      f.name,
+      None,
+      built = true,
+      aimed,
+      (None, None, Some(flipOf(f, dither)))
+    )
     SystemChart(
       "systems-rays",
       s"Rays: pixels a second against error",

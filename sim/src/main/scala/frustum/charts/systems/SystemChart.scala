@@ -78,7 +78,8 @@ final case class SystemChart(
   private def markNotes(of: Seq[SystemPoint]): Seq[String] = {
     val targets = of.filterNot(_.placed).map(_.clockMHz).distinct.sorted.map(Scale.text)
     Option.when(of.exists(_.placed))(
-      "Filled: the clock is the placed one" + (if (of.exists(_.cells.isDefined)) "; the area is its logic cells." else ".")
+      "Filled: the clock is the placed one" + (if (of.exists(_.cells.isDefined)) "; the area is its logic cells."
+                                               else ".")
     ).toSeq ++
       Option.when(targets.nonEmpty)(
         s"Hollow: no placed clock is known; drawn with the clock aimed at, ${targets.mkString(", ")} MHz."
@@ -162,7 +163,9 @@ final case class SystemChart(
       point
     },
     "peers" -> peers.map { p =>
-      def range(r: Option[(Double, Double)]): ujson.Value = r.fold[ujson.Value](ujson.Null) { case (a, b) => ujson.Arr(a, b) }
+      def range(r: Option[(Double, Double)]): ujson.Value = r.fold[ujson.Value](ujson.Null) { case (a, b) =>
+        ujson.Arr(a, b)
+      }
       ujson.Obj(
         "name" -> p.name,
         "speed" -> range(p.speed),

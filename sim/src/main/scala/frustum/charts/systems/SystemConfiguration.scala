@@ -87,11 +87,14 @@ object SystemConfiguration {
     val pictures = Seq(ColorFormat.Rgb444, ColorFormat.Rgb332)
       .map(f => shipped.copy(group = Picture, setting = s"${f.bits} bits", format = f, built = false))
     val triangles = shipped.copy(group = Affine, setting = "whole triangles", adjust = flat)
-    (shipped +: tiles) ++ (if (textured) coordinates else Nil) ++ depth ++ (if (textured) Nil else colors) ++ snapped ++ pictures ++
+    (shipped +: tiles) ++ (if (textured) coordinates else Nil) ++ depth ++ (if (textured) Nil
+                                                                            else colors) ++ snapped ++ pictures ++
       (if (textured) spans :+ triangles else Nil) ++ made(scene, base, options)
   }
 
-  /** Hardware that can do what the scene asks for and no more; with the divide that suits depths near each other, and without. */
+  /** Hardware that can do what the scene asks for and no more; with the divide that suits depths near each other, and
+    * without.
+    */
   private def made(scene: Scene, base: RasterConfig, options: DrawOptions): Seq[SystemConfiguration] = {
     val features = FitFeatures(scene, base, options)
     val own = SystemConfiguration(Scene, "as inspected", features.config, features.options)

@@ -11,7 +11,8 @@ import frustum.reference.raster.ReferenceRaster
 /** How far a picture is from what the user asked for, end to end.
   *
   * @param flip         mean FLIP against float64's drawing from the world
-  * @param wrongPercent judged pixels that show another triangle or another texel, of 100, see [[frustum.referee.EndToEnd]]
+  * @param wrongPercent judged pixels that show another triangle or another texel, of 100, see
+  *                     [[frustum.referee.EndToEnd]]
   */
 final case class SystemError(flip: Double, wrongPercent: Double)
 
@@ -22,8 +23,8 @@ object SystemError {
     SystemError(flip, 100.0 * (counts.primitiveWrong + counts.texelsWrong) / counts.judged.max(1))
 }
 
-/** Draws a scene with configurations by their models, and judges it by the referee's float64 drawing: the same figures on
-  * every machine.
+/** Draws a scene with configurations by their models, and judges it by the referee's float64 drawing: the same
+  * figures on every machine.
   */
 final class SystemErrors(scene: Scene, width: Int, height: Int) {
   private val flip = new Flip(width, height)

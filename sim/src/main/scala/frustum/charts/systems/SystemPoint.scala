@@ -36,8 +36,8 @@ final case class PeerPoint(
 
 object ParetoFront {
 
-  /** Those that no other beats in one and equals in the other, by rising cost; less is better in both. Equal ones are all
-    * kept.
+  /** Those that no other beats in one and equals in the other, by rising cost; less is better in both. Equal ones are
+    * all kept.
     */
   def apply[A](all: Seq[A])(cost: A => Double, error: A => Double): Seq[A] =
     all.filterNot(p =>

@@ -5,8 +5,9 @@ import frustum.boards.arty.ArtyTops
 import frustum.charts.{DirectionFamily, LeapFamily}
 import frustum.contract.voxel.{LeapField, VoxelConfig}
 
-/** Worlds of blocks on the Arty: rays a second against the world's bits of memory, and against the error of the rays' directions.
-  * The ring of the wide pipeline takes a step a cycle, so that rays a second are the clock over the steps of a ray, by the model.
+/** Worlds of blocks on the Arty: rays a second against the world's bits of memory, and against the error of the rays'
+  * directions. The ring of the wide pipeline takes a step a cycle, so that rays a second are the clock over the steps of
+  * a ray, by the model.
   */
 final class VoxelSystems(tops: BoardTop => (Option[Placed], String)) {
   private val shipped = ArtyTops.voxelConfig.voxel
@@ -14,7 +15,13 @@ final class VoxelSystems(tops: BoardTop => (Option[Placed], String)) {
   private lazy val placed = tops(top)._1.flatMap(_.clockMHz)
   private val blocks = shipped.size.axes.product
 
-  private def point(group: String, setting: String, c: VoxelConfig, memory: Boolean, direction: Boolean): SystemPoint = {
+  private def point(
+      group: String,
+      setting: String,
+      c: VoxelConfig,
+      memory: Boolean,
+      direction: Boolean
+  ): SystemPoint = {
     val clock = if (c.copy(width = shipped.width, height = shipped.height) == shipped) placed else None
     val mhz = clock.getOrElse(top.targetMHz.toDouble)
     val steps = LeapFamily.steps(c)

@@ -31,7 +31,9 @@ object ChartCommand extends CommandLine {
       head(s"chart: $summary"),
       arg[ChartFamily]("FAMILY")(Arguments.oneOf(ChartFamily.all.map(f => f.name -> f): _*)).optional()
         .action((v, o) => o.copy(family = Some(v)))
-        .text(s"one of ${names.mkString(", ")} (default: all),\nor ${SystemsChart.name}: see ./sbt \"chart systems --help\""),
+        .text(
+          s"one of ${names.mkString(", ")} (default: all),\nor ${SystemsChart.name}: see ./sbt \"chart systems --help\""
+        ),
       opt[Unit]("no-synthesis").action((_, o) => o.copy(synthesis = false))
         .text("without yosys: families whose cost is cells show bits instead or are left out"),
       opt[Path]("out")(

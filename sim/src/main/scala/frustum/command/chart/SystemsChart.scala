@@ -37,7 +37,9 @@ object SystemsChart {
     OParser.sequence(
       programName("./sbt chart systems"),
       head("chart systems: charts speed against error of whole renderers; writes out/chart/systems/index.html"),
-      opt[String]("scene")(Arguments.oneOf(sceneNames.map(n => n -> n): _*)).valueName(sceneNames.mkString("|")).unbounded()
+      opt[String]("scene")(
+        Arguments.oneOf(sceneNames.map(n => n -> n): _*)
+      ).valueName(sceneNames.mkString("|")).unbounded()
         .action((v, o) => o.copy(scenes = o.scenes :+ v))
         .text("this one alone; may be given several times (default: all of them, rays and voxels)"),
       opt[Path]("obj")(Arguments.file).valueName("FILE").unbounded().action((v, o) => o.copy(obj = o.obj :+ v))
@@ -46,7 +48,9 @@ object SystemsChart {
         "places what has no placed clock yet, and simulates what was made for one scene; takes hours the first time\n" +
           "(default: clocks, areas and cycles that earlier runs have left, for the same Verilog)"
       ),
-      opt[Path]("out")(Arguments.file).valueName("DIR").action((v, o) => o.copy(out = v)).text("(default out/chart/systems)"),
+      opt[Path]("out")(
+        Arguments.file
+      ).valueName("DIR").action((v, o) => o.copy(out = v)).text("(default out/chart/systems)"),
       note("  --help                   prints this")
     )
   }

@@ -41,7 +41,11 @@ class PlotAxisTest extends AnyFunSuite {
 
   test("a logarithmic axis has 1, 2 and 5 where there is room, powers of ten where they are many") {
     assert(written(Scale(1, 100, log = true)).containsSlice(Seq("1", "2")))
-    assert(written(Scale(1e-6, 1, log = true)).containsSlice(Seq("10⁻⁶", "10⁻⁵", "10⁻⁴", "0.001", "0.01", "0.1", "1")) ||
+    assert(written(Scale(
+      1e-6,
+      1,
+      log = true
+    )).containsSlice(Seq("10⁻⁶", "10⁻⁵", "10⁻⁴", "0.001", "0.01", "0.1", "1")) ||
       written(Scale(1e-6, 1, log = true)).contains("0.5"))
     assert(written(Scale(0.030, 0.034, log = true)).contains("0.032"))
   }

@@ -7,7 +7,8 @@ import java.nio.file.{Files, Path}
 
 class PlacedTopsTest extends AnyFunSuite {
   private def folder(): Path = Files.createTempDirectory("placed")
-  private val report = """{"fits": true, "logicCells": 4974, "clockMHz": {"min": 39.4, "max": 41, "seeds": [39.4, 41]}}"""
+  private val report =
+    """{"fits": true, "logicCells": 4974, "clockMHz": {"min": 39.4, "max": 41, "seeds": [39.4, 41]}}"""
   private val top = IcebreakerTops.rasterOf("system", RasterConfig())
 
   test("the digest is of the design: comments, which name the commit, do not count, a changed line does") {

@@ -5,7 +5,14 @@ import java.nio.file.Files
 import javax.imageio.ImageIO
 
 class SystemChartTest extends AnyFunSuite {
-  private def point(setting: String, speed: Double, error: Double, placed: Boolean, cells: Option[Int], built: Boolean = true) =
+  private def point(
+      setting: String,
+      speed: Double,
+      error: Double,
+      placed: Boolean,
+      cells: Option[Int],
+      built: Boolean = true
+  ) =
     SystemPoint("group", setting, speed, 36, placed, built, cells, Seq(Some(error)))
   private def chart(points: Seq[SystemPoint], peers: Seq[PeerPoint] = Nil) =
     SystemChart(

@@ -9,7 +9,8 @@ import java.nio.file.Files
 
 /** Points of the charts with clocks and cycles that are made up, so that speeds can be worked out by hand. */
 class SystemPointsTest extends AnyFunSuite {
-  private val placed: BoardTop => (Option[Placed], String) = _ => (Some(Placed(Some(4000), Some(40.0), "test")), "digest")
+  private val placed: BoardTop => (Option[Placed], String) =
+    _ => (Some(Placed(Some(4000), Some(40.0), "test")), "digest")
   private val unknown: BoardTop => (Option[Placed], String) = _ => (None, "digest")
 
   private def chart(tops: BoardTop => (Option[Placed], String), simulatesAll: Boolean): SystemChart = {
