@@ -26,8 +26,8 @@ object PlotAxis {
     axis
   }
 
-  /** Steps of 1, 2 or 5 times a power of ten, of which an axis has 3 to 9: left to itself it chooses steps of which it has
-    * two.
+  /** Steps of 1, 2 or 5 times a power of ten, of which an axis has 3 to 9: left to itself it chooses steps of which it
+    * has two.
     */
   private def evenAxis(scale: Scale): NumberAxis = {
     val axis = new NumberAxis
@@ -36,8 +36,8 @@ object PlotAxis {
     axis
   }
 
-  /** A logarithmic axis with numbers between the powers of ten where there is room, as [[LogAxis]] has them at powers of
-    * ten alone, of which many an axis has one.
+  /** A logarithmic axis with numbers between the powers of ten where there is room, as [[LogAxis]] has them at powers
+    * of ten alone, of which many an axis has one.
     */
   private final class DecadesAxis(scale: Scale) extends LogAxis {
     override def refreshTicks(

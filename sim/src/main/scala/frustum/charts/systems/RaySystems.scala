@@ -115,8 +115,8 @@ final class RaySystems(tops: BoardTop => (Option[Placed], String)) {
       Seq("wrong silhouettes, % of the sphere's pixels", "greatest shading error, of 255", "mean FLIP at the pins"),
       (shipped ++ floats ++ units ++ shades ++ formats).toSeq,
       Nil,
-      s"The shipped light has ${RayShade.LevelBits} bits. All pipelines take a pixel a cycle, so that the clock alone decides " +
-        "the speed. Light in a few bits is exact light, rounded.",
+      s"The shipped light has ${RayShade.LevelBits} bits. All pipelines take a pixel a cycle, so that the clock " +
+        "alone decides the speed. Light in a few bits is exact light, rounded.",
       errorFloor = 1e-4,
       panelHeight = 300
     )

@@ -70,7 +70,8 @@ final case class SystemChart(
       Seq("Grey: the Pareto front, what nothing else beats in both.") ++
         Option.when(sized.exists(!_.placed))("Hollow: it does not fit the part, so it has no clock.") ++
         Option.when(points.length > sized.length)(
-          s"${points.length - sized.length} more are not here: methods, and what has not been placed; --synthesis places it."
+          s"${points.length - sized.length} more are not here: methods, and what has not been placed; --synthesis " +
+            "places it."
         )
     )
   }

@@ -6,8 +6,8 @@ import frustum.charts.{DirectionFamily, LeapFamily}
 import frustum.contract.voxel.{LeapField, VoxelConfig}
 
 /** Worlds of blocks on the Arty: rays a second against the world's bits of memory, and against the error of the rays'
-  * directions. The ring of the wide pipeline takes a step a cycle, so that rays a second are the clock over the steps of
-  * a ray, by the model.
+  * directions. The ring of the wide pipeline takes a step a cycle, so that rays a second are the clock over the steps
+  * of a ray, by the model.
   */
 final class VoxelSystems(tops: BoardTop => (Option[Placed], String)) {
   private val shipped = ArtyTops.voxelConfig.voxel

@@ -76,7 +76,9 @@ object ChartCommand extends CommandLine {
 
   private def figure(out: Path, c: Chart): String = {
     val data = Page.source(out.resolve(s"${c.name}.png"))
-    s"""<figure><img alt="${c.title}" src="$data"><figcaption>${c.note} Data: ${c.name}.csv; the same picture as ${c.name}.svg.</figcaption></figure>"""
+    s"""<figure><img alt="${c.title}" src="$data">
+       |<figcaption>${c.note} Data: ${c.name}.csv;
+       |the same picture as ${c.name}.svg.</figcaption></figure>""".stripMargin
   }
 
   private def json(charts: Seq[Chart]) = ujson.Obj(

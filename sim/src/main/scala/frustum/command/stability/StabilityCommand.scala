@@ -90,7 +90,8 @@ object StabilityCommand extends CommandLine {
       Page(
         "Frustum: where methods fail",
         s"""<figure><img alt="map" src="$picture">
-           |<figcaption>${StabilityMap.HowToRead} Data: stability.csv; the same picture as map.svg.</figcaption></figure>
+           |<figcaption>${StabilityMap.HowToRead}
+           |Data: stability.csv; the same picture as map.svg.</figcaption></figure>
            |<table><tr>${headers.map(h => s"<th>$h</th>").mkString}</tr>
            |$rows
            |</table>""".stripMargin

@@ -9,9 +9,11 @@ class FittedDesignTest extends AnyFunSuite {
   private val base = RasterConfig()
   private val options = SystemConfiguration.plain(Scenes.byName("cube"))
   private val report =
-    """{"budget": {"texelsWrongPercent": 0.5}, "logicCells": 3365, "clockMHz": 40.5, "configuration": {"width": 240, "height": 320,
+    """{"budget": {"texelsWrongPercent": 0.5}, "logicCells": 3365, "clockMHz": 40.5,
+      |"configuration": {"width": 240, "height": 320,
       |"textureTexels": 4096, "maxVertices": 64, "maxTriangles": 32, "positionBits": 9, "repeatBits": 0, "ratioBits": 1,
-      |"clearColor": 8582, "constant": [], "fixed": {"blend": {"mask": 1, "value": 0}}, "coordinate": 4, "depth": 0, "color": 0,
+      |"clearColor": 8582, "constant": [], "fixed": {"blend": {"mask": 1, "value": 0}},
+      |"coordinate": 4, "depth": 0, "color": 0,
       |"inverse": 9, "cullBack": true, "depthTest": false}}""".stripMargin
 
   test("the configuration, the driver's options and the placed figures come from the report") {
