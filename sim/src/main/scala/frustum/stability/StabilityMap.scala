@@ -1,7 +1,7 @@
 package frustum.stability
 
 import frustum.charts.plot.{PictureFiles, Plot, Scale}
-import org.jfree.chart.text.{G2TextMeasurer, TextBlockAnchor, TextUtils}
+import org.jfree.chart.text.TextBlockAnchor
 import java.awt.geom.Rectangle2D
 import java.awt.{Color, Font, Graphics2D}
 import java.nio.file.Path
@@ -73,7 +73,7 @@ object StabilityMap {
       def x(v: Double) = barLeft + place(r.sweep, v) * (barRight - barLeft)
       box(14, top, Plot.Width - 28, 1, new Color(0xe4e6ea))
       text(14, top + 27, d.quantity.replace('-', ' '), font = PictureFiles.font(13, bold = true))
-      TextUtils.createTextBlock(d.unit, small, pale, (barLeft - 30).toFloat, new G2TextMeasurer(g))
+      PictureFiles.wrapped(d.unit, small, pale, barLeft - 30, g)
         .draw(g, 14, (top + 32).toFloat, TextBlockAnchor.TOP_LEFT)
       for ((a, b, state) <- r.stretches) box(x(a), top + 18, (x(b) - x(a)).max(1), 14, colors(state))
       def range(low: Double, high: Double, below: Double, color: Color): Unit = {

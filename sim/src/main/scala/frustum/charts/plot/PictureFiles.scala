@@ -2,6 +2,8 @@ package frustum.charts.plot
 
 import frustum.files.OutputFile
 import org.jfree.chart.ChartUtils
+import org.jfree.chart.text.{G2TextMeasurer, TextBlock, TextUtils}
+import org.jfree.chart.ui.HorizontalAlignment
 import org.jfree.svg.SVGGraphics2D
 import java.awt.image.BufferedImage
 import java.awt.{Color, Font, Graphics2D, RenderingHints}
@@ -16,6 +18,13 @@ object PictureFiles {
 
   /** To measure texts with before the size of a picture is known. */
   def ruler: Graphics2D = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics()
+
+  /** A text broken at blanks into the lines that it takes. @param room pixels from left to right */
+  def wrapped(words: String, font: Font, color: Color, room: Double, g: Graphics2D): TextBlock = {
+    val block = TextUtils.createTextBlock(words, font, color, room.toFloat, new G2TextMeasurer(g))
+    block.setLineAlignment(HorizontalAlignment.LEFT)
+    block
+  }
 
   /** Writes `<name>.png` and `<name>.svg`, white where nothing is drawn. */
   def write(folder: Path, name: String, width: Int, height: Int)(draw: Graphics2D => Unit): Unit = {

@@ -4,7 +4,7 @@ import org.jfree.chart.JFreeChart
 import org.jfree.chart.annotations.XYBoxAnnotation
 import org.jfree.chart.plot.{DatasetRenderingOrder, IntervalMarker, SeriesRenderingOrder, XYPlot}
 import org.jfree.chart.renderer.xy.XYItemRenderer
-import org.jfree.chart.text.{G2TextMeasurer, TextBlock, TextBlockAnchor, TextUtils}
+import org.jfree.chart.text.{TextBlock, TextBlockAnchor}
 import org.jfree.chart.ui.{Layer, RectangleInsets}
 import org.jfree.data.xy.{XYSeries, XYSeriesCollection}
 import java.awt.geom.{AffineTransform, Rectangle2D}
@@ -56,7 +56,7 @@ object PlotDrawing {
 
   /** The lines of the legend, each broken into as many as it takes. */
   private def legendOf(plot: Plot, g: Graphics2D): Seq[(LegendLine, TextBlock)] = plot.legend.map { l =>
-    l -> TextUtils.createTextBlock(l.text, Text, Ink, (LegendWidth - 4 - indent(l)).toFloat, new G2TextMeasurer(g))
+    l -> PictureFiles.wrapped(l.text, Text, Ink, LegendWidth - 4 - indent(l), g)
   }
 
   private def panelPlot(plot: Plot, panel: Panel): XYPlot = {

@@ -46,6 +46,7 @@ final class PointRenderer(points: Seq[Seq[PlotPoint]], joined: Boolean) extends 
 /** Broad grey lines. */
 final class FrontRenderer extends XYLineAndShapeRenderer {
   setDrawSeriesLineAsPath(true)
+  setDrawOutlines(false)
   setAutoPopulateSeriesStroke(false)
   setAutoPopulateSeriesPaint(false)
   setAutoPopulateSeriesShape(false)
