@@ -71,7 +71,7 @@ lazy val sim = (project in file("sim"))
       "com.github.spinalhdl" %% "spinalhdl-sim" % spinalVersion,
       "com.twelvemonkeys.imageio" % "imageio-tga" % "3.13.1",
       "org.jfree" % "jfreechart" % "1.5.6",
-      "org.jfree" % "org.jfree.svg" % "5.0.7",
+      "org.apache.xmlgraphics" % "batik-svggen" % "1.19",
       "com.github.scopt" %% "scopt" % "4.1.0",
       "me.tongfei" % "progressbar" % "0.10.1",
       "org.scalatest" %% "scalatest" % "3.2.20" % Test

@@ -1,7 +1,6 @@
 package frustum.charts
 
-import frustum.charts.plot.{LegendLine, Panel, Plot, PlotDrawing, PlotMark, PlotPoint, Scale}
-import frustum.charts.systems.ParetoFront
+import frustum.charts.plot.{LegendLine, Panel, ParetoFront, Plot, PlotDrawing, PlotMark, PlotPoint, Scale}
 import frustum.files.OutputFile
 import frustum.synthesis.UnitCost
 import java.nio.file.Path

@@ -29,8 +29,8 @@ import scala.util.Random
 object LongState extends StateLayout("long render state") {
   private val WireWords = 5
   private val low = Array.fill(WireWords)(0)
-  for ((field, n) <- RenderStateLayout.fields.zipWithIndex) {
-    val word = n % WireWords
+  for (field <- RenderStateLayout.fields) {
+    val word = low.indexOf(low.min)
     unsigned(field.name, bits(word, low(word) + field.width - 1, low(word)), field.meaning)
     low(word) += field.width + 1
   }

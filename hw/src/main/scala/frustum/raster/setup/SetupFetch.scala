@@ -126,13 +126,16 @@ case class SetupFetch(config: RasterConfig, spareRows: Int, planes: Seq[Int] = S
   // A field of a width, at the word's top; a texture coordinate never moves.
   def top(field: Field) = data(31 downto 32 - field.width)
   val top16 = top(StoredVertex.X)
+  val alike = RegNext(exponents(0) === exponents(1) && exponents(1) === exponents(2))
+  val flat = RegNextWhen(alike && top16(14 downto 0) === 0, isFrom(Source.Q)) // the mantissa of 1/w is a power of two
+  val texelBias = B(SetupWords.TexelBias, SetupWords.TexelBiasBits bits) & flat #* SetupWords.TexelBiasBits
   val minuend = RegNext(
     Seq[(Source.Value, BitVector)](
       Source.Position -> top16.asSInt.resize(32),
       Source.Z -> (top16 << 15),
       Source.Q -> (top16 << 1),
       Source.Color -> (top(StoredVertex.R) << 7),
-      Source.Texture -> (StoredVertex.S.in(data).asSInt << 6).resize(32),
+      Source.Texture -> (StoredVertex.S.in(data) ## texelBias).asSInt.resize(32),
       Source.Area -> (values.area | (1 << 29) | 1),
       Source.Pixel -> Mux(action.word.lsb, line, column)
     ).map { case (f, v) => v.asBits.resize(32) & isFrom(f) #* 32 }.reduceBalancedTree(_ | _).asSInt

@@ -1,13 +1,15 @@
 package frustum.charts.plot
 
 import frustum.files.OutputFile
+import org.apache.batik.svggen.SVGGraphics2D
 import org.jfree.chart.ChartUtils
 import org.jfree.chart.text.{G2TextMeasurer, TextBlock, TextUtils}
 import org.jfree.chart.ui.HorizontalAlignment
-import org.jfree.svg.SVGGraphics2D
 import java.awt.image.BufferedImage
-import java.awt.{Color, Font, Graphics2D, RenderingHints}
+import java.awt.{Color, Dimension, Font, Graphics2D, RenderingHints}
+import java.io.StringWriter
 import java.nio.file.{Files, Path}
+import javax.xml.parsers.DocumentBuilderFactory
 
 /** A drawing as two files: pixels for pages, and shapes and words that stay sharp at any size. */
 object PictureFiles {
@@ -35,9 +37,12 @@ object PictureFiles {
       draw(g)
       g
     }
-    val svg = new SVGGraphics2D(width, height)
-    svg.setDefsKeyPrefix(name) // by default it is the time, and the file another one each time
-    OutputFile.writeText(folder.resolve(s"$name.svg"), drawn(svg).getSVGDocument)
+    val shapes = DocumentBuilderFactory.newInstance.newDocumentBuilder.getDOMImplementation
+    val svg = new SVGGraphics2D(shapes.createDocument("http://www.w3.org/2000/svg", "svg", null))
+    svg.setSVGCanvasSize(new Dimension(width, height))
+    val text = new StringWriter
+    drawn(svg).stream(text)
+    OutputFile.writeText(folder.resolve(s"$name.svg"), text.toString)
     val image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)
     drawn(image.createGraphics())
     OutputFile.write(folder.resolve(s"$name.png"))(part => Files.write(part, ChartUtils.encodeAsPNG(image)))

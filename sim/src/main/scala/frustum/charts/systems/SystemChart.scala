@@ -1,6 +1,6 @@
 package frustum.charts.systems
 
-import frustum.charts.plot.{LegendLine, Panel, Plot, PlotDrawing, PlotPoint, PlotRange, Scale}
+import frustum.charts.plot.{LegendLine, Panel, ParetoFront, Plot, PlotDrawing, PlotPoint, PlotRange, Scale}
 import frustum.files.OutputFile
 import java.nio.file.Path
 import scala.math.sqrt

@@ -1,5 +1,6 @@
 package frustum.charts.systems
 
+import frustum.charts.plot.ParetoFront
 import org.scalatest.funsuite.AnyFunSuite
 import java.nio.file.Files
 import javax.imageio.ImageIO

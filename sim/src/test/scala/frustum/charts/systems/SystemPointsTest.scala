@@ -42,7 +42,7 @@ class SystemPointsTest extends AnyFunSuite {
     val shipped = c.points.filter(_.group.startsWith("shipped"))
     assert(shipped.map(_.speed).forall(_ == 38.2) && shipped.forall(_.errors.head.contains(0.0)))
     val light = c.points.filter(_.group == "bits of light").map(_.errors(1).get)
-    assert(light == light.sorted.reverse && light.last > shipped.head.errors(1).get)
+    assert(light == light.sorted.reverse && light.head > shipped.head.errors(1).get)
     assert(c.points.filter(_.group.startsWith("discriminant")).forall(p => !p.built && p.speed == 25.125))
   }
 

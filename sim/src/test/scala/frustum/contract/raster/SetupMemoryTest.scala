@@ -50,9 +50,9 @@ class SetupMemoryTest extends AnyFunSuite {
     }
   }
 
-  test("pairs lie as the hardware reads them, and 22 words suffice for what would take 27") {
+  test("pairs lie as the hardware reads them, and 21 words suffice for what took 26") {
     for (planes <- choices; memory = SetupMemory(planes)) {
-      assert(memory.sharedWords <= 22 && memory.slotWords == 14 + 3 * planes.length, planes)
+      assert(memory.sharedWords <= 21 && memory.slotWords == 14 + 3 * planes.length, planes)
       for ((first, second) <- SetupWords.pairs)
         assert(memory.code(first) % 2 == 0 && memory.code(second) == memory.code(first) + 1)
     }

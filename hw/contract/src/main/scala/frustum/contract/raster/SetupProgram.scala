@@ -40,7 +40,7 @@ final case class SetupProgram(planes: Seq[Int] = SetupWords.AllPlanes) {
     val guess = Seq(mac(Guess, ThreeHalves, Round), macn(Guess, AreaNormal, to = Fraction(x)))
     val depthsOf = (0 to 2).map(v => mac(q(v), scale(v), Zero, Integer(q(v))))
     def products(raw: Int => SetupWord, plane: Int) =
-      Seq(mac(q(0), raw(0), Round), mac(One, TexelBias, to = Fraction(value(plane)))) ++
+      mac(q(0), raw(0), Round, Fraction(value(plane))) +:
         Seq(1 -> delta1(plane), 2 -> delta2(plane)).flatMap { case (v, d) =>
           Seq(mac(q(v), raw(v), Round), macn(q(0), raw(0), to = Fraction(d)))
         }

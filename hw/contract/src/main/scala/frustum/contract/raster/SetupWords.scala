@@ -79,7 +79,18 @@ object SetupWords {
   // Shared: used by the set-up alone.
   val DX1 = shared("DX1")
   val DX2 = shared("DX2")
+
+  /** Texture coordinates, 22 fraction bits. */
   val (s, t) = (perVertex("s"), perVertex("t"))
+
+  /** Added to s and t of a vertex where the exponents of the triangle's 1/w are the same and its mantissa is 32768, as
+    * it is without perspective: a little more than rounding may take from a coordinate in a tile of 16 x 16, so that
+    * what is exactly a texel's border belongs to the upper texel. Half a unit of the first value, 30 steps of half a
+    * unit, and what the barycentric coordinates' rounding adds where the coordinate differs by 8 repeats at most. It
+    * stands in the bits below a vertex's coordinate.
+    */
+  val TexelBias = 18
+  val TexelBiasBits = 6
 
   /** Twice the mantissa of 1/w, then 1/w itself with 31 fractional bits. */
   val q = perVertex("q")
@@ -144,12 +155,6 @@ object SetupWords {
   /** 32/17 and 3/2 with 30 fractional bits: the first guess of 1/d is 48/17 - 32/17 d (d in 1/2..1). */
   val Guess = constant("Guess", scala.math.round(32.0 / 17 * (1 << 30)).toInt)
   val ThreeHalves = constant("ThreeHalves", 3 << 29)
-
-  /** Added to s/w and t/w, 23 fraction bits: a little more than rounding may take from them in a tile of 16 x 16, so
-    * that what is exactly a texel's border belongs to the upper texel. Half a unit of the first value, 30 steps of half
-    * a unit, and what the barycentric coordinates' rounding adds where s/w and t/w differ by 8 repeats at most.
-    */
-  val TexelBias = constant("TexelBias", 18)
 
   val all: Seq[SetupWord] = named.toSeq
 

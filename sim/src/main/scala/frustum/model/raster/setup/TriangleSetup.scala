@@ -93,8 +93,10 @@ final class TriangleSetup(planes: Seq[Int] = SetupWords.AllPlanes) {
     word(DY2_16) = (v2.y - v0.y) << 16
     val exponent = v.map(_.qExponent).max
     for (k <- 0 to 2) {
-      word(s(k)) = v(k).s << 6
-      word(t(k)) = v(k).t << 6
+      val flat = v.forall(_.qExponent == exponent) && (v(k).qMantissa & 0x7fff) == 0
+      val bias = if (flat) TexelBias else 0
+      word(s(k)) = v(k).s << TexelBiasBits | bias
+      word(t(k)) = v(k).t << TexelBiasBits | bias
       word(q(k)) = v(k).qMantissa << 1
       word(scale(k)) = 1 << scala.math.max(0, 30 - (exponent - v(k).qExponent))
     }
