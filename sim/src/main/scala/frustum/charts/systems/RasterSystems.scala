@@ -104,11 +104,11 @@ final class RasterSystems(
       s"systems-${scene.name}",
       s"${scene.name}: frames a second against error, iCE40UP5K, ${base.width} x ${base.height}",
       "frames a second: placed clock over simulated cycles a frame",
-      Seq("mean FLIP, end to end (0 equal, 1 worst)", "wrong triangles and texels, end to end, % of pixels"),
+      Seq("mean FLIP, end to end (0 equal, 1 worst)", "wrong triangle or texel, % of pixels"),
       points,
       peer.flatMap(peerOf(scene.name, _)).toSeq,
       "The library has one preset and nearest texels alone: no other preset, no bilinear filter is among the points." +
-        (if (left == 0) "" else s" $left systems are left out: their cycles are not known; --synthesis finds them."),
+        (if (left == 0) "" else s" Systems left out, as their cycles are not known: $left; --synthesis finds them."),
       errorFloor = 1e-4,
       cellsTitle = Some(s"${scene.name}: logic cells against error, iCE40UP5K, ${base.width} x ${base.height}")
     )

@@ -124,7 +124,7 @@ final case class SystemChart(
   private def legend(of: Seq[SystemPoint]): Seq[LegendLine] =
     for (group <- groups; mine = numbered.filter { case (p, _) => p.group == group && of.contains(p) } if mine.nonEmpty)
       yield LegendLine(
-        s"$group: " + mine.map { case (p, n) => s"$n ${p.setting}${if (p.built) "" else "\u2217"}" }.mkString(", "),
+        s"$group: " + mine.map { case (p, n) => s"[$n] ${p.setting}${if (p.built) "" else "\u2217"}" }.mkString(", "),
         Some(group)
       )
 

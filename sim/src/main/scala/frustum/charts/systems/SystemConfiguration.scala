@@ -105,10 +105,11 @@ object SystemConfiguration {
     }
   }
 
-  /** To the nearest of 2^bits places of a pixel. */
+  /** To the nearest of 2^bits places of a pixel that is within the range of positions. */
   private def snap(bits: Int)(v: PackedVertex): PackedVertex = {
     val step = 1 << 4 - bits
-    def near(p: Int) = Math.floorDiv(p + step / 2, step) * step
+    val most = PackedVertex.MaxXy / step * step
+    def near(p: Int) = (Math.floorDiv(p + step / 2, step) * step).max(-most).min(most)
     v.copy(x = near(v.x), y = near(v.y))
   }
 

@@ -1,6 +1,7 @@
 package frustum.charts.systems
 
 import frustum.boards.BoardTop
+import frustum.contract.raster.PackedVertex
 import frustum.contract.voxel.LeapField
 import frustum.charts.LeapFamily
 import frustum.scene.Scenes
@@ -34,7 +35,16 @@ class SystemPointsTest extends AnyFunSuite {
   test("where nothing is placed all are hollow; what may not be simulated is left out, and counted") {
     val c = chart(unknown, simulatesAll = false)
     assert(c.points.forall(p => !p.placed && p.speed == 450.0) && c.cellsPlot.isEmpty)
-    assert(!c.points.exists(_.group == SystemConfiguration.Scene) && c.note.contains("2 systems are left out"), c.note)
+    assert(!c.points.exists(_.group == SystemConfiguration.Scene) && c.note.contains("not known: 2;"), c.note)
+  }
+
+  test("coarser vertices stay where the hardware takes them, at the ends of the range too") {
+    val coarser = SystemConfiguration.all(Scenes.byName("floor")).filter(_.group == SystemConfiguration.Vertices)
+    assert(coarser.length == 2)
+    for (c <- coarser; end <- Seq(-PackedVertex.MaxXy, PackedVertex.MaxXy)) {
+      val v = c.adjust(PackedVertex(end, end, 0, 32768, 16, 0, 0, 0, 0, 0, 0))
+      assert(v.fault(c.config.ranges).isEmpty && (v.x - end).abs < 16, (c.setting, v))
+    }
   }
 
   test("rays: a pixel a cycle, exact differences without a wrong silhouette, fewer bits of light are worse") {
