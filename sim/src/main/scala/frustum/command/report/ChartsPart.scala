@@ -3,8 +3,8 @@ package frustum.command.report
 import frustum.command.common.{Figure, Page}
 import java.nio.file.Path
 
-/** The charts of `chart`, those of families that were charted alone included. */
-object ChartsPart extends ReportPart("Accuracy against cost", "chart", "chart") {
+/** The charts in one folder, those that were charted alone included. */
+final class ChartsPart(title: String, folder: String, command: String) extends ReportPart(title, folder, command) {
   def shown(files: ReportFiles): Option[Shown] = {
     val pictures = files.ofKind(".png")
     val charts = files.ofKind(".json").flatMap(f => files.read(f)(_("charts").arr.map(c => c("name").str -> c).toSeq))

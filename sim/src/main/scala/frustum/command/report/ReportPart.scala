@@ -25,7 +25,8 @@ abstract class ReportPart(val title: String, val folder: String, val command: St
 object ReportPart {
   val all: Seq[ReportPart] = Seq(
     DemoPart,
-    ChartsPart,
+    new ChartsPart("Whole systems: speed against accuracy", "chart/systems", "chart systems"),
+    new ChartsPart("Accuracy against cost", "chart", "chart"),
     StabilityPart,
     BudgetsPart,
     BenchPart,

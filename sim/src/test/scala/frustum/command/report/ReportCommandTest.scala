@@ -46,6 +46,8 @@ class ReportCommandTest extends AnyFunSuite {
         |"errorAxis": "steps"}]}""".stripMargin
     )
     picture(from.resolve("chart/old-family.png"), 96, 60)
+    picture(from.resolve("chart/systems/systems-cube.png"), 96, 60)
+    put(from.resolve("chart/systems/systems.json"), """{"charts": [{"name": "systems-cube"}]}""")
     picture(from.resolve("stability/map.png"), 96, 60)
     put(
       from.resolve("stability/stability.json"),
@@ -101,7 +103,7 @@ class ReportCommandTest extends AnyFunSuite {
     assert(done.code == 0 && done.err.isEmpty, done)
     val html = page(out)
     val pictures = "<img[^>]*?src=\"([^\"]*)\"".r.findAllMatchIn(html.replace("\n", " ")).map(_.group(1)).toSeq
-    assert(pictures.length == 10 && pictures.forall(_.startsWith("data:image/")))
+    assert(pictures.length == 11 && pictures.forall(_.startsWith("data:image/")))
     assert(pictures.exists(_.startsWith("data:image/gif")))
     assert(!"(?i)https?:|<script|<link|@import|url\\(".r.findFirstIn(html).isDefined)
     for (
@@ -130,6 +132,7 @@ class ReportCommandTest extends AnyFunSuite {
     run(from, out)
     val places = "href=\"(data/[^\"]*)\"".r.findAllMatchIn(page(out)).map(_.group(1)).toSeq
     assert(places.contains("data/demo/cube.json") && places.contains("data/chart/chart.json"))
+    assert(places.contains("data/chart/systems/systems.json"))
     assert(Files.isRegularFile(out.resolve("data/demo/pong.gif")), "pictures are copied too")
     for (place <- places) assert(Files.isRegularFile(out.resolve(place)), place)
     assert(!Files.exists(out.resolve("data/demo/gone.json")), "a copy of a file that is no longer there")
