@@ -82,7 +82,7 @@ class SystemChartTest extends AnyFunSuite {
       Set("name.csv", "name.png", "name.svg", "name-cells.png", "name-cells.svg"))
     assert(ImageIO.read(out.resolve("name.png").toFile).getWidth == 960)
     val svg = Files.readString(out.resolve("name.svg"))
-    assert(svg.contains("frames a second") && svg.contains("1 slow"))
+    assert(svg.contains("frames a second") && svg.contains("[1] slow"))
     chart(Seq(slow, fast)).write(out)
     assert(Files.readString(out.resolve("name.svg")) == svg, "the same chart is another file")
   }
