@@ -1,10 +1,9 @@
 package frustum.synthesis
 
 import frustum.boards.flow.{FlowFault, Ice40Flow, Ice40Tools, Nextpnr, Tool, Yosys}
-import frustum.files.OutputFile
+import frustum.files.{Digest, OutputFile}
 import spinal.core._
 import java.nio.file.{Files, Path}
-import java.security.MessageDigest
 
 /** Cells of the iCE40 that yosys makes of one unit. A logic cell holds a LUT and a flip-flop; how many share one is the
   * placer's business, so both are told.
@@ -102,10 +101,7 @@ final class UnitCosts(say: String => Unit) {
   private def kept(top: String)(unit: => Component)(measure: => ujson.Obj): ujson.Value = {
     UnitVerilog.write(work, top)(unit)
     val verilog = Files.readAllBytes(work.resolve(s"$top.v"))
-    val digest = MessageDigest.getInstance(
-      "SHA-256"
-    ).digest(verilog ++ Ice40Flow.Synthesis.getBytes).take(12).map("%02x".format(_)).mkString
-    val file = cache.resolve(s"$digest.json")
+    val file = cache.resolve(s"${Digest(verilog, Ice40Flow.Synthesis.getBytes)}.json")
     if (!Files.exists(file)) OutputFile.writeText(file, ujson.write(measure))
     ujson.read(Files.readString(file))
   }

@@ -3,10 +3,9 @@ package frustum.charts.systems
 import frustum.boards.BoardTop
 import frustum.boards.flow.{BitstreamReport, Ice40Flow, Ice40Tools, Nextpnr}
 import frustum.BuildInfo
-import frustum.files.OutputFile
+import frustum.files.{Digest, OutputFile}
 import java.io.OutputStream
 import java.nio.file.{Files, Path}
-import java.security.MessageDigest
 import scala.util.Try
 
 /** What place and route made of a top.
@@ -44,9 +43,8 @@ final class PlacedTops(
 
   private def verilog(top: BoardTop): String = {
     val folder = OutputFile.folder(cache.resolve("work"))
-    Console.withOut(OutputStream.nullOutputStream)(
-      top.writeVerilog(folder.toString)
-    ) // SpinalHDL tells each of its steps
+    // SpinalHDL tells each of its steps.
+    Console.withOut(OutputStream.nullOutputStream)(top.writeVerilog(folder.toString))
     Files.readString(folder.resolve(s"${top.name}.v"))
   }
 
@@ -75,8 +73,7 @@ object PlacedTops {
   /** Of the Verilog without its comments, which name the commit. */
   def digest(verilog: String): String = {
     val text = verilog.linesIterator.filterNot(_.startsWith("//")).mkString("\n")
-    MessageDigest.getInstance("SHA-256").digest((text + Ice40Flow.Synthesis).getBytes("UTF-8")).take(12)
-      .map("%02x".format(_)).mkString
+    Digest((text + Ice40Flow.Synthesis).getBytes("UTF-8"))
   }
 
   /** None where there is no report, or none that can be read. */

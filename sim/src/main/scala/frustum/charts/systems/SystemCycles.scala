@@ -2,9 +2,8 @@ package frustum.charts.systems
 
 import frustum.driver.raster.{Driver, PreparedFrame}
 import frustum.engine.raster.{EngineOptions, RasterEngines}
-import frustum.files.OutputFile
+import frustum.files.{Digest, OutputFile}
 import java.nio.file.{Files, Path}
-import java.security.MessageDigest
 
 /** Core cycles of frames, by simulation of the Stream core: store loaded, sink always ready. Kept by the digests of the
   * hardware's Verilog and of the commands.
@@ -32,10 +31,6 @@ object SystemCycles {
   def simulation(frame: PreparedFrame): Long =
     RasterEngines.byName("pipeline").make(EngineOptions(1, None)).drawAll(Seq(frame)).head.clocks.get
 
-  private def digest(frame: PreparedFrame, verilog: String): String = {
-    val sha = MessageDigest.getInstance("SHA-256")
-    sha.update(verilog.getBytes("UTF-8"))
-    frame.passes.flatMap(Driver.commands).flatten.foreach(b => sha.update(b.toByte))
-    sha.digest().take(12).map("%02x".format(_)).mkString
-  }
+  private def digest(frame: PreparedFrame, verilog: String): String =
+    Digest(verilog.getBytes("UTF-8"), frame.passes.flatMap(Driver.commands).flatten.map(_.toByte).toArray)
 }

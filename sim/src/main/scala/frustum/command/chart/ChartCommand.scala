@@ -74,12 +74,8 @@ object ChartCommand extends CommandLine {
     0
   }
 
-  private def figure(out: Path, c: Chart): String = {
-    val data = Page.source(out.resolve(s"${c.name}.png"))
-    s"""<figure><img alt="${c.title}" src="$data">
-       |<figcaption>${c.note} Data: ${c.name}.csv;
-       |the same picture as ${c.name}.svg.</figcaption></figure>""".stripMargin
-  }
+  private def figure(out: Path, c: Chart): String =
+    Page.chart(c.title, out.resolve(s"${c.name}.png"), c.note, s"${c.name}.csv")
 
   private def json(charts: Seq[Chart]) = ujson.Obj(
     "command" -> name,

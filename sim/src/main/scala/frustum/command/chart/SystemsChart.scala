@@ -121,12 +121,8 @@ object SystemsChart {
     )
   }
 
-  private def figures(out: Path, c: SystemChart): String = c.pictures.map { picture =>
-    val data = Page.source(out.resolve(s"$picture.png"))
-    s"""<figure><img alt="${c.title}" src="$data">
-       |<figcaption>${c.note} Data: ${c.name}.csv;
-       |the same picture as $picture.svg.</figcaption></figure>""".stripMargin
-  }.mkString("\n")
+  private def figures(out: Path, c: SystemChart): String =
+    c.pictures.map(p => Page.chart(c.title, out.resolve(s"$p.png"), c.note, s"${c.name}.csv")).mkString("\n")
 
   private def json(charts: Seq[SystemChart]) = ujson.Obj(
     "command" -> "chart systems",

@@ -12,6 +12,18 @@ object Page {
     s"data:image/$kind;base64,${Base64.getEncoder.encodeToString(Files.readAllBytes(picture))}"
   }
 
+  /** A chart within the page, whose data and picture of shapes lie beside it.
+    *
+    * @param picture a PNG, with an SVG of its name
+    * @param data    name of the CSV
+    */
+  def chart(title: String, picture: Path, note: String, data: String): String =
+    s"""<figure><img alt="$title" src="${source(picture)}">
+       |<figcaption>$note Data: $data;
+       |the same picture as ${picture.getFileName.toString.stripSuffix(
+        ".png"
+      )}.svg.</figcaption></figure>""".stripMargin
+
   /** Text that may hold what HTML takes for its own. */
   def escape(text: String): String =
     text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
