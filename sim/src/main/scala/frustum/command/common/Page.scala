@@ -17,12 +17,12 @@ object Page {
     * @param picture a PNG, with an SVG of its name
     * @param data    name of the CSV
     */
-  def chart(title: String, picture: Path, note: String, data: String): String =
+  def chart(title: String, picture: Path, note: String, data: String): String = {
+    val shapes = picture.getFileName.toString.stripSuffix(".png") + ".svg"
     s"""<figure><img alt="$title" src="${source(picture)}">
        |<figcaption>$note Data: $data;
-       |the same picture as ${picture.getFileName.toString.stripSuffix(
-        ".png"
-      )}.svg.</figcaption></figure>""".stripMargin
+       |the same picture as $shapes.</figcaption></figure>""".stripMargin
+  }
 
   /** Text that may hold what HTML takes for its own. */
   def escape(text: String): String =
