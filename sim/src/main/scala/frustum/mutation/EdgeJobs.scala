@@ -6,8 +6,15 @@ import scala.math.max
 import scala.util.Random
 
 /** A triangle for the edge walker: three edges as the set-up engine hands them over. */
-final case class EdgeJob(stepX: Seq[Int], stepY: Seq[Int], values: Seq[Int], lastColumn: Int, lastRow: Int) {
-  def spans: Seq[Span] = EdgeWalker.spans(0, lastColumn, 0, lastRow, values.toArray, stepX(_), stepY(_))
+final case class EdgeJob(
+    stepX: Seq[Int],
+    stepY: Seq[Int],
+    values: Seq[Int],
+    lastColumn: Int,
+    firstRow: Int,
+    lastRow: Int
+) {
+  def spans: Seq[Span] = EdgeWalker.spans(0, lastColumn, firstRow, lastRow, values.toArray, stepX(_), stepY(_))
 }
 
 /** Triangles that the edge walker is tested with, in families that are hard for it in different ways. */
@@ -50,22 +57,23 @@ final class EdgeJobs(config: RasterConfig, r: Random) {
   private def jobs(count: Int)(vertices: => Seq[(Int, Int)]): Seq[EdgeJob] =
     Iterator.continually {
       def last(size: Int) = if (r.nextBoolean()) size - 1 else r.nextInt(size)
-      job(vertices, last(config.tileWidth), last(config.tileHeight))
+      val lastRow = last(config.tileHeight)
+      job(vertices, last(config.tileWidth), if (r.nextBoolean()) 0 else r.nextInt(lastRow + 1), lastRow)
     }.flatten.take(count).toSeq
 
   /** A triangle of vertices in 1/16 pixel from the tile's corner; none where it faces away or is degenerate. */
-  private def job(vertices: Seq[(Int, Int)], lastColumn: Int, lastRow: Int): Option[EdgeJob] = {
+  def job(vertices: Seq[(Int, Int)], lastColumn: Int, firstRow: Int, lastRow: Int): Option[EdgeJob] = {
     val edges = vertices.zip(vertices.tail :+ vertices.head)
     val stepX = edges.map { case ((_, y0), (_, y1)) => y0 - y1 }
     val stepY = edges.map { case ((x0, _), (x1, _)) => x1 - x0 }
     val values = edges.indices.map { k =>
       val (x, y) = vertices(k)
-      stepX(k).toLong * ((if (stepX(k) < 0) 16 * lastColumn else 0) + 8 - x) + stepY(k).toLong * (8 - y)
+      stepX(k).toLong * ((if (stepX(k) < 0) 16 * lastColumn else 0) + 8 - x) + stepY(k).toLong * (16 * firstRow + 8 - y)
     }
     assert(values.forall(_.isValidInt), s"an edge of $vertices leaves 32 bits")
     val Seq((x0, y0), (x1, y1), (x2, y2)) = vertices
     Option.when((x1 - x0) * (y2 - y0).toLong > (x2 - x0) * (y1 - y0).toLong)(
-      EdgeJob(stepX, stepY, values.map(_.toInt), lastColumn, lastRow)
+      EdgeJob(stepX, stepY, values.map(_.toInt), lastColumn, firstRow, lastRow)
     )
   }
 }

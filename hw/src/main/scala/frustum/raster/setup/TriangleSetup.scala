@@ -93,6 +93,7 @@ case class TriangleSetup(config: RasterConfig, tech: Tech = Tech.Generic) extend
   val lastColumn = RegNext(lastIn(job.tileX, config.tileLog2Width, config.width))
   val lastRow = RegNext(lastIn(job.tileY, config.tileLog2Height, config.height))
   walker.io.lastColumn := lastColumn
+  walker.io.firstRow := 0
   walker.io.lastRow := lastRow
 
   val values = fetch.io.values

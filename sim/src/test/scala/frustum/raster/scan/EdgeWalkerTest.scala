@@ -34,6 +34,7 @@ class EdgeWalkerTest extends AnyFunSuite with Simulated {
         ready.setFactor(if (n % 2 == 0) 2f else 0.3f)
         got.clear()
         dut.io.lastColumn #= job.lastColumn
+        dut.io.firstRow #= job.firstRow
         dut.io.lastRow #= job.lastRow
         // six steps from clock 0, a value a few clocks after its edge's last step
         val (stepAt, edgeAt) = EdgeJobs.times(r)
@@ -56,6 +57,7 @@ class EdgeWalkerTest extends AnyFunSuite with Simulated {
         dut.io.start #= false
         // the next triangle may belong to a tile at another side of the screen
         dut.io.lastColumn #= r.nextInt(config.tileWidth)
+        dut.io.firstRow #= r.nextInt(config.tileHeight)
         dut.io.lastRow #= r.nextInt(config.tileHeight)
         var clocks = 0
         do { dut.clockDomain.waitSampling(); clocks += 1 } while (!dut.io.idle.toBoolean && clocks < 5000)

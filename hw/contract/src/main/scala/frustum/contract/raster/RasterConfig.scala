@@ -11,6 +11,7 @@ import frustum.contract.video.ScreenTiles
   * @param ranges  of the vertices' numbers
   * @param slots   triangles that stay set up from tile to tile
   * @param clearColor RGB565, if all frames begin with this one; hardware then keeps none
+  * @param walker  how many edges of a triangle the walker moves at once
   * @param countUndrawn whether triangles that face away or have no area are counted for the host
   */
 final case class RasterConfig(
@@ -26,6 +27,7 @@ final case class RasterConfig(
     ranges: VertexRanges = VertexRanges(),
     clearColor: Option[Int] = None,
     slots: Int = 6,
+    walker: WalkerKind = WalkerKind.Serial,
     countUndrawn: Boolean = true
 ) extends ScreenTiles {
   require(tileLog2Width >= 3 && tileLog2Width <= 5, s"tile width 2^$tileLog2Width is outside 8..32")
