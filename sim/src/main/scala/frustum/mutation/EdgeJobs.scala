@@ -1,8 +1,8 @@
 package frustum.mutation
 
-import frustum.contract.raster.RasterConfig
+import frustum.contract.raster.{RasterConfig, WalkerKind}
 import frustum.model.raster.scan.{EdgeWalker, Span}
-import scala.math.max
+import scala.math.{max, min}
 import scala.util.Random
 
 /** A triangle for the edge walker: three edges as the set-up engine hands them over. */
@@ -15,6 +15,35 @@ final case class EdgeJob(
     lastRow: Int
 ) {
   def spans: Seq[Span] = EdgeWalker.spans(0, lastColumn, firstRow, lastRow, values.toArray, stepX(_), stepY(_))
+
+  /** Pixels that an edge cuts off each of the rows, at most the tile's width. */
+  private def cuts(edge: Int, width: Int): Seq[Int] = {
+    val (x, y) = (stepX(edge), stepY(edge))
+    val topLeft = x > 0 || x == 0 && y > 0
+    (0 to lastRow - firstRow).map { row =>
+      (0 until width).indexWhere { cut =>
+        val value = values(edge) + 16L * (y.toLong * row + x.abs.toLong * cut)
+        value > 0 || value == 0 && topLeft
+      } match { case -1 => width; case cut => cut }
+    }
+  }
+
+  /** Lateral steps of the edges: by edge, in each row. A first one outwards is a test. */
+  private def lateral(width: Int): Seq[Seq[Int]] = (0 to 2).map { k =>
+    val cut = cuts(k, width).map(min(_, width - 1))
+    if (stepX(k) == 0) cut.map(_ => 0)
+    else cut.zip(0 +: cut).map { case (now, before) => (now - before).abs + (if (stepY(k) > 0) 1 else 0) }
+  }
+
+  /** Cycles from `start` until the walker is idle, at most, where spans are taken at once. */
+  def mostCycles(kind: WalkerKind, width: Int): Int = {
+    val steps = lateral(width)
+    val rows = lastRow - firstRow + 1
+    kind match {
+      case WalkerKind.Serial   => 8 + 3 * rows + max(steps.map(_.sum).sum, 2 * steps.map(_.sum).max)
+      case WalkerKind.Parallel => 8 + 2 * rows + steps.transpose.map(_.max).sum
+    }
+  }
 }
 
 /** Triangles that the edge walker is tested with, in families that are hard for it in different ways. */

@@ -1,19 +1,19 @@
 package frustum.mutation
 
-import frustum.contract.raster.RasterConfig
+import frustum.contract.raster.{RasterConfig, WalkerKind}
 import frustum.mutation.MutationPlan.values
 import frustum.raster.scan.EdgeWalker
 import scala.util.Random
 
 /** The edge walker, as `EdgeWalkerTest` has it: triangles of all families, loaded in random clocks. */
-object EdgeWalkerPlan {
-  private val config = RasterConfig()
+final class EdgeWalkerPlan(kind: WalkerKind) extends (Long => MutationPlan) {
+  private val config = RasterConfig(walker = kind)
 
   def apply(seed: Long): MutationPlan = {
     val r = new Random(seed)
     val jobs = new EdgeJobs(config, r).families.flatMap { case (_, make) => make() }
     MutationPlan(
-      "EdgeWalker",
+      s"EdgeWalker$kind",
       () => EdgeWalker(config),
       jobs.flatMap(steps(_, r)).toIndexedSeq,
       waitsFor = Some("io_idle"),
@@ -37,7 +37,11 @@ object EdgeWalkerPlan {
     val (stepAt, edgeAt) = EdgeJobs.times(r)
     // The screen's end is looked at with `start` alone: the next triangle may belong to a tile at another side.
     def other =
-      values("io_lastColumn" -> r.nextInt(config.tileWidth), "io_lastRow" -> r.nextInt(config.tileHeight))
+      values(
+        "io_lastColumn" -> r.nextInt(config.tileWidth),
+        "io_firstRow" -> r.nextInt(config.tileHeight),
+        "io_lastRow" -> r.nextInt(config.tileHeight)
+      )
     val load = (0 to edgeAt.last).map { clock =>
       val (step, edge) = (stepAt.indexOf(clock), edgeAt.indexOf(clock))
       val slope =
@@ -57,8 +61,18 @@ object EdgeWalkerPlan {
         other ++ values("io_step_payload" -> r.nextInt(), "io_edge_payload_value" -> r.nextInt()),
         waits = waits
       )
-    val start = values("io_start" -> 1, "io_lastColumn" -> job.lastColumn, "io_lastRow" -> job.lastRow)
+    val start = values(
+      "io_start" -> 1,
+      "io_lastColumn" -> job.lastColumn,
+      "io_firstRow" -> job.firstRow,
+      "io_lastRow" -> job.lastRow
+    )
     load ++ Seq.fill(1 + r.nextInt(4))(idle(waits = false)) ++
       Seq(MutationStep(start), idle(waits = false), idle(waits = true))
   }
+}
+
+object EdgeWalkerPlan {
+  val serial = new EdgeWalkerPlan(WalkerKind.Serial)
+  val parallel = new EdgeWalkerPlan(WalkerKind.Parallel)
 }

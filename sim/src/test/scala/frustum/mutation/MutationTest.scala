@@ -36,7 +36,7 @@ class MutationTest extends AnyFunSuite {
 
   test("a mutant that makes no difference is shown to make none, one that does is not", Synthesised) {
     val mutations = new Mutations(yosys, folder)
-    val (ports, mutants) = mutations.make("EdgeWalker", 4, seed = 1)(EdgeWalkerPlan(1).unit())
+    val (ports, mutants) = mutations.make("EdgeWalker", 4, seed = 1)(EdgeWalkerPlan.serial(1).unit())
     assert(ports.exists(p => p.name == "io_up_valid" && !p.isInput && p.width == 1))
     assert(mutations.isEquivalent("EdgeWalker", 0)) // none at all
     assert(!mutants.forall(m => mutations.isEquivalent("EdgeWalker", m.number)))

@@ -1,6 +1,6 @@
 package frustum.raster
 
-import frustum.contract.raster.RasterConfig
+import frustum.contract.raster.{RasterConfig, WalkerKind}
 import frustum.harness.{Claims, Formal, Prover}
 import frustum.raster.scan.{EdgeWalker, Interpolator, TileSequencer}
 import frustum.raster.setup.SetupFetch
@@ -70,8 +70,8 @@ class RasterHandshakeProof extends AnyFunSuite {
     Prover.prove("TileSequencer", depth = 4)(new TileSequencerClaims(config))
   }
 
-  test("spans of the edge walker", Formal) {
-    Prover.prove("EdgeWalker", depth = 4)(new EdgeWalkerClaims(config))
+  for (kind <- Seq(WalkerKind.Serial, WalkerKind.Parallel)) test(s"spans of the edge walker, $kind", Formal) {
+    Prover.prove(s"EdgeWalker$kind", depth = 4)(new EdgeWalkerClaims(config.copy(walker = kind)))
   }
 
   test("fragments of the interpolator", Formal) {

@@ -33,58 +33,62 @@ case class EdgeState(config: RasterConfig) extends Bundle {
 
   def inside: Bool = value.msb
 
+  /** It is not yet where the row's first pixel inside is. */
+  def wants: Bool = inside ? canLeave | canEnter
+
   /** No pixel of the row is inside, as far as the edge has moved. */
   def cutsAll: Bool = !inside && !back
 
-  /** Takes the function's value, 1/256 pixel^2, at the outermost pixel; to be primed. */
+  /** Takes the function's value, 1/256 pixel^2, at the outermost pixel; until it is primed, it stays there. */
   def load(edge: SInt): Unit = {
     value := (~edge >> 4).resized
     tie := edge(3 downto 0) === 0
+    canEnter := False
+    canLeave := False
   }
 }
 
 /** What becomes of an edge in a cycle: one adder and the rules by which it is used.
   *
-  * An edge moves inwards while its value is outside. Once it is inside and later rows can only move it outwards, it
-  * tests the pixel outside of its own, and moves outwards while that is inside. So each cycle moves it by a pixel, save
+  * An edge slides inwards while its value is outside. Once it is inside and later rows can only move it outwards, it
+  * tests the pixel outside of its own, and slides outwards while that is inside. So each cycle moves it by a pixel, save
   * the first test. Both ends of the row stop it.
   *
-  * @param slides whether it moves along the row, else to the row below
-  * @param prime  makes a loaded value one to walk with, in place of a move down: an exact zero is outside unless the
-  *               edge owns its points (top-left rule; Pineda 1988)
+  * @param slides   it moves along the row
+  * @param descends it moves to the row below; not with `slides`
+  * @param primes   a loaded value becomes one to walk with, with neither of the moves: an exact zero is outside unless
+  *                 the edge owns its points (top-left rule; Pineda 1988)
   */
-final class EdgeMove(state: EdgeState, steps: EdgeSteps, slides: Bool, prime: Bool) extends Area {
-  private val width = state.value.getWidth
+final class EdgeMove(state: EdgeState, steps: EdgeSteps, slides: Bool, descends: Bool, primes: Bool) extends Area {
 
   // The complement grows by the slope on the way out from the left and on the way in from the right; else it shrinks.
-  private val shrinks = slides ? (state.inside === steps.fromRight) | !prime
-  private val step = slides ? steps.slope | steps.descent
+  private val shrinks = slides ? (state.inside === steps.fromRight) | descends
   private val adds = slides || shrinks
+  private val step = slides ? steps.slope | steps.descent
   private val addend = (step ^ S(step.range -> shrinks)) & S(step.range -> adds)
-  private val carry = adds ? shrinks | (state.tie && !steps.topLeft)
+  private val carry = adds ? shrinks | (primes && state.tie && !steps.topLeft)
+  private val inwards = slides && !state.inside
+  private val outwards = slides && state.inside && state.back
+  private val most = (1 << state.cut.getWidth) - 1
 
-  /** The value after the move. */
-  val value: SInt = ((state.value @@ True).asBits.asSInt + (addend @@ carry).resize(width + 1)) >> 1
-
-  private val outwards = state.inside && state.back
-  private val cut =
-    ((state.cut @@ True) + (U(state.cut.range -> state.inside) @@ !outwards)) >> 1
-
-  /** The edge after a move along the row, with [[value]] in it. */
-  def slid(into: EdgeState): Unit = {
-    into.value := value
-    into.cut := cut
-    into.back := state.inside
-    into.canEnter := !state.inside && !cut.andR
-    into.canLeave := state.inside ? cut.orR | steps.grows
-  }
-
-  /** The edge after a move down, or after it is primed. */
-  def descended(into: EdgeState): Unit = {
-    into.value := value
-    into.cut := prime ? U(0, state.cut.getWidth bits) | state.cut
-    into.back := !prime && state.back
-    into.canEnter := prime ? !steps.flat | state.canEnter
-    into.canLeave := !prime && state.canLeave
+  /** The edge after that. */
+  def moved(into: EdgeState): Unit = {
+    into.value := ((state.value @@ True).asBits.asSInt + (addend @@ carry).resize(state.value.getWidth + 1)) >> 1
+    into.cut := ((state.cut @@ True) + (U(state.cut.range -> outwards) @@ inwards)) >> 1
+    when(slides) {
+      into.back := state.inside
+      into.canEnter := !state.inside && state.cut =/= most - 1
+      into.canLeave := state.inside ? !(state.back && state.cut === 1) | steps.grows
+    } otherwise {
+      into.back := state.back
+      into.canEnter := state.canEnter
+      into.canLeave := state.canLeave
+    }
+    when(primes) {
+      into.cut := 0
+      into.back := False
+      into.canEnter := !steps.flat
+      into.canLeave := False
+    }
   }
 }

@@ -2,18 +2,21 @@ package frustum.raster.scan
 
 import frustum.contract.raster.RasterConfig
 import spinal.core._
+import spinal.lib._
 
 /** Walks three edges with one adder.
   *
-  * The edges circulate. The one at the adder moves along the row until it is settled; then it goes on to the row below
-  * as it makes room for the next.
+  * The edges circulate from the adder, c, to a, b and c again; one that has to slide on goes from a to the adder
+  * directly, so that two of them take turns. A settled edge moves down as soon as its end of the row is taken, and may
+  * slide in the row below while the others finish theirs.
   *
-  * Cycles: 4 from `start` to the first row's span; per row 3, and one for each lateral step of each edge.
+  * Cycles: 6 from `start` to the first row's span; per row 3 and one for each lateral step of each edge, or two for each
+  * of the edge that takes most, where these are more.
   */
 final class SerialWalk(config: RasterConfig, io: EdgeWalkerPorts) extends Area {
   val control = new WalkControl(config, io)
   import control.walking
-  val fresh, closing = Reg(Bool()) // the row's first edge and its last one are at the adder
+  val fresh, closing = Reg(Bool()) // the row's first edge and its last one are wanted
   val loadsLast = io.edge.valid && io.edge.index.msb
   val primes = new Area { // the last two edges pass the adder; the first one does as the last is loaded
     val first = RegNext(loadsLast) init False
@@ -21,80 +24,103 @@ final class SerialWalk(config: RasterConfig, io: EdgeWalkerPorts) extends Area {
   }
   control.begin(!loadsLast && !primes.first)
 
-  // Steps enter at a; values at b, so that the adder is before a alone.
-  val slides, descends = Bool()
-  val turn = descends || io.edge.valid || primes.first || primes.second
+  val turn = walking || loadsLast || primes.first || primes.second
+  val a, b, c = Reg(EdgeState(config))
+  val keeps = walking && a.wants
+  val slides = RegNext(keeps || Mux(turn, b.wants, c.wants)) // that c has to; known as it arrives
+
+  /** Goes round: `next` from c, or what is loaded, enters at a. */
+  private def ring[T <: Data](turn: Bool, a: T, b: T, c: T, next: T): Unit = when(turn) {
+    a := next
+    when(!keeps) { b := a }
+    c := Mux(keeps, a, b)
+  }
   val steps = new Area {
     val a, b, c = Reg(EdgeSteps(config))
     val isY = RegInit(False) toggleWhen io.step.valid
-    val turn = descends || loadsLast || primes.first || primes.second
     val zero = io.step.payload === 0
-    val step = io.step.payload.resize(config.ranges.stepBits)
-    when(turn || io.step.valid && !isY) {
-      b.slope := a.slope
-      c.slope := b.slope
-      a.slope := io.step.valid ? step | c.slope
-      b.flat := a.flat
-      c.flat := b.flat
-      a.flat := io.step.valid ? zero | c.flat
+    val next = CombInit(c)
+    when(io.step.valid) {
+      next.slope := io.step.payload.resized
+      next.descent := io.step.payload.resized
+      next.flat := zero
+      next.grows := !zero && !io.step.payload.msb
     }
-    when(turn || io.step.valid && isY) {
-      b.descent := a.descent
-      c.descent := b.descent
-      a.descent := io.step.valid ? step | c.descent
-      b.grows := a.grows
-      c.grows := b.grows
-      a.grows := io.step.valid ? (!zero && !step.msb) | c.grows
-    }
+    val turnX = turn || io.step.valid && !isY
+    val turnY = turn || io.step.valid && isY
+    ring(turnX, a.slope, b.slope, c.slope, next.slope)
+    ring(turnX, a.flat, b.flat, c.flat, next.flat)
+    ring(turnY, a.descent, b.descent, c.descent, next.descent)
+    ring(turnY, a.grows, b.grows, c.grows, next.grows)
   }
-  val a, b, c = Reg(EdgeState(config))
+  // What finished, a cycle later. Columns of the tile have a sign, as an edge may cut off more than the screen has.
+  val done = new Area {
+    val fresh, closing, fromRight, cutsAll, stays = Reg(Bool())
+    val column = Reg(SInt(config.tileLog2Width + 1 bits))
+    val waits = RegInit(False)
+    val takes = !(waits && fresh && control.blocked)
+  }
   val edge = steps.c
-  val move = new EdgeMove(c, edge, slides, prime = !walking)
-  when(turn) {
-    move.descended(a)
-    b := a
-    c := b
-  }
+  val ahead = Vec.fill(3)(Reg(Bool())) // of a, b and c: whether it is in the row below
+  val finishes = walking && !slides && !ahead(2) && done.takes
+  val move = new EdgeMove(c, edge, slides, finishes, !walking)
+  val moved = EdgeState(config)
+  move.moved(moved)
+  ring(turn || io.edge.valid, a, b, c, moved)
   when(io.edge.valid) { b.load(io.edge.value) }
-  when(slides) { move.slid(c) }
+  ring(turn, ahead(0), ahead(1), ahead(2), ahead(2) || finishes)
+
+  when(finishes) {
+    fresh := closing
+    closing := !fresh && !closing
+    when(closing) { ahead.foreach(_ := False) }
+  }
+
+  when(done.takes) {
+    done.waits := finishes
+    done.fresh := fresh
+    done.closing := closing
+    done.fromRight := edge.fromRight
+    done.cutsAll := c.cutsAll
+    done.stays := !edge.grows
+    done.column := edge.fromRight ? (control.lastColumn.intoSInt - c.cut.intoSInt) | c.cut.intoSInt
+  }
+  val taken = walking && done.waits && done.takes
 
   // The row's span so far, and whether it is known to be empty. Of the row's first edge nothing else counts.
   val first, last = Reg(UInt(config.tileLog2Width bits))
   val firstStays, lastStays = Reg(Bool()) // no later row has more at this end
   val empty = Reg(Bool())
-  val fromEnd = control.lastColumn.intoSInt - c.cut.intoSInt
-  val place = edge.fromRight ? fromEnd | c.cut.intoSInt
-  val pastFirst = (place @@ edge.fromRight).asBits.asSInt > (first.intoSInt @@ False).asBits.asSInt // or at it, from the right
-  val pastLast = place > last.intoSInt
-  val crosses = edge.fromRight ? (fresh ? fromEnd.msb | !pastFirst) | (!fresh && pastLast)
-  val stays = !edge.grows
-  val otherStays = fresh || (edge.fromRight ? firstStays | lastStays)
-  val lost = crosses || c.cutsAll
-  val over = stays && (crosses && otherStays || c.cutsAll && !c.canEnter)
-
-  val settled = empty || !(c.inside ? c.canLeave | c.canEnter)
-  slides := walking && !settled
-  descends := walking && settled && !(fresh && control.blocked)
-  when(slides && crosses && c.cutsAll) { empty := True }
-  when(descends) {
-    fresh := closing
-    closing := !fresh && !closing
-    empty := !closing && (lost || empty)
-    when(edge.fromRight) {
-      when(fresh) { first := 0; firstStays := True }
-      when(fresh || !pastLast) { last := fromEnd.asUInt.resized; lastStays := stays }
-    } otherwise {
-      when(fresh) { last := control.lastColumn; lastStays := True }
-      when(fresh || pastFirst) { first := c.cut; firstStays := stays }
+  private def twice(column: SInt, half: Bool) = (column @@ half).asBits.asSInt
+  val pastFirst = twice(done.column, done.fromRight) > twice(first.intoSInt, False) // or at it, from the right
+  val pastLast = done.column > last.intoSInt
+  val crosses = done.fromRight ? (done.fresh ? done.column.msb | !pastFirst) | (!done.fresh && pastLast)
+  val otherStays = done.fresh || (done.fromRight ? firstStays | lastStays)
+  val lost = crosses || done.cutsAll
+  val over = done.stays && (crosses && otherStays || done.cutsAll)
+  when(taken) {
+    empty := lost || empty && !done.fresh
+    when(done.fresh || done.fromRight && !pastLast) {
+      last := done.fromRight ? done.column.asUInt.resize(config.tileLog2Width) | control.lastColumn
+      lastStays := done.stays || !done.fromRight
     }
-    when(fresh) { control.nextRow() }
+    when(done.fresh || !done.fromRight && pastFirst) {
+      first := done.fromRight ? U(0, config.tileLog2Width bits) | done.column.asUInt.resized
+      firstStays := done.stays || done.fromRight
+    }
+    when(done.fresh) { control.nextRow() }
   }
-  when(io.start) { fresh := True; closing := False; empty := False }
+  when(io.start) {
+    fresh := True
+    closing := False
+    ahead.foreach(_ := False)
+  }
   control.row(
-    descends && (closing || over),
+    taken && (done.closing || over),
     filled = !empty && !lost,
     isLast = over || control.y === control.lastRow
   )
+  when(!walking) { done.waits := False } // what went on in the row after the last one
   io.up.first := first
   io.up.last := last
 }
