@@ -28,22 +28,25 @@ final case class EdgeJob(
     }
   }
 
-  /** Lateral steps of the edges: by edge, in each row. A first one outwards is a test. */
+  /** Lateral steps of the edges in each row, the three of them. One that moves outwards begins with a test. */
   private def lateral(width: Int): Seq[Seq[Int]] = (0 to 2).map { k =>
-    val cut = cuts(k, width).map(min(_, width - 1))
+    val all = cuts(k, width)
+    val cut = all.map(min(_, width - 1))
+    val test = if (stepY(k) > 0) all.indexWhere(_ < width) else -1
     if (stepX(k) == 0) cut.map(_ => 0)
-    else cut.zip(0 +: cut).map { case (now, before) => (now - before).abs + (if (stepY(k) > 0) 1 else 0) }
-  }
+    else cut.zip(0 +: cut).zipWithIndex.map { case ((now, before), row) =>
+      (now - before).abs + (if (row == test) 1 else 0)
+    }
+  }.transpose
 
   /** Cycles from `start` until the walker is idle, at most, where spans are taken at once. */
-  def mostCycles(kind: WalkerKind, width: Int): Int = {
-    val steps = lateral(width)
-    val rows = lastRow - firstRow + 1
+  def mostCycles(kind: WalkerKind, width: Int): Int = 8 + lateral(width).map { steps =>
     kind match {
-      case WalkerKind.Serial   => 8 + 3 * rows + max(steps.map(_.sum).sum, 2 * steps.map(_.sum).max)
-      case WalkerKind.Parallel => 8 + 2 * rows + steps.transpose.map(_.max).sum
+      case WalkerKind.Serial if steps.max == 0 => 3
+      case WalkerKind.Serial                   => 4 + max(steps.sum, 2 * steps.max)
+      case WalkerKind.Parallel                 => 2 + steps.max
     }
-  }
+  }.sum
 }
 
 /** Triangles that the edge walker is tested with, in families that are hard for it in different ways. */

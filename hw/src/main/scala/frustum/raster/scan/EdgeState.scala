@@ -54,15 +54,12 @@ case class EdgeState(config: RasterConfig) extends Bundle {
   * tests the pixel outside of its own, and slides outwards while that is inside. So each cycle moves it by a pixel, save
   * the first test. Both ends of the row stop it.
   *
-  * @param slides   it moves along the row
-  * @param descends it moves to the row below; not with `slides`
-  * @param primes   a loaded value becomes one to walk with, with neither of the moves: an exact zero is outside unless
-  *                 the edge owns its points (top-left rule; Pineda 1988)
+  * @param slides  it moves along the row
+  * @param shrinks with `slides`: see [[EdgeMove.shrinks]]; else it moves to the row below
+  * @param primes  with neither, a loaded value becomes one to walk with: an exact zero is outside unless the edge owns
+  *                its points (top-left rule; Pineda 1988)
   */
-final class EdgeMove(state: EdgeState, steps: EdgeSteps, slides: Bool, descends: Bool, primes: Bool) extends Area {
-
-  // The complement grows by the slope on the way out from the left and on the way in from the right; else it shrinks.
-  private val shrinks = slides ? (state.inside === steps.fromRight) | descends
+final class EdgeMove(state: EdgeState, steps: EdgeSteps, slides: Bool, shrinks: Bool, primes: Bool) extends Area {
   private val adds = slides || shrinks
   private val step = slides ? steps.slope | steps.descent
   private val addend = (step ^ S(step.range -> shrinks)) & S(step.range -> adds)
@@ -91,4 +88,12 @@ final class EdgeMove(state: EdgeState, steps: EdgeSteps, slides: Bool, descends:
       into.canLeave := False
     }
   }
+}
+
+object EdgeMove {
+
+  /** Whether an edge's complement shrinks by the slope, rather than grows, as it slides: on the way in from the left and
+    * on the way out from the right.
+    */
+  def shrinks(state: EdgeState, steps: EdgeSteps): Bool = state.inside === steps.fromRight
 }

@@ -36,17 +36,16 @@ final class ParallelWalk(config: RasterConfig, io: EdgeWalkerPorts) extends Area
   val down = RegInit(False) // all have settled: the rows' ends are taken, and the edges move down
   val edges = for ((s, n) <- steps.zipWithIndex) yield new Area {
     val state = Reg(EdgeState(config))
-    val slides = Bool()
-    val move = new EdgeMove(state, s, slides, down, !walking)
+    // Signs are late: what is not wanted is worked out all the same, and not taken.
+    val move = new EdgeMove(state, s, walking && !down, down || walking && EdgeMove.shrinks(state, s), !walking)
     val lost = state.cutsAll && !state.canEnter // and with it the row
-    when(slides || down || primes) { move.moved(state) }
+    when(walking && state.wants || down || primes) { move.moved(state) }
     when(io.edge.valid && io.edge.index === n) { state.load(io.edge.value) }
     val fromLeft = s.fromRight ? U(0, config.tileLog2Width bits) | state.cut
     val fromRight = s.fromRight ? state.cut | U(0, config.tileLog2Width bits)
   }
   val lost = edges.map(_.lost).orR
   val settled = lost || !edges.map(_.state.wants).orR
-  edges.foreach(e => e.slides := walking && !down && e.state.wants)
 
   /** The most that edges cut off at an end, and whether no later row will have more there. */
   case class End() extends Bundle {

@@ -10,13 +10,12 @@ import spinal.lib._
   * directly, so that two of them take turns. A settled edge moves down as soon as its end of the row is taken, and may
   * slide in the row below while the others finish theirs.
   *
-  * Cycles: 6 from `start` to the first row's span; per row 3 and one for each lateral step of each edge, or two for each
-  * of the edge that takes most, where these are more.
   */
 final class SerialWalk(config: RasterConfig, io: EdgeWalkerPorts) extends Area {
   val control = new WalkControl(config, io)
   import control.walking
   val fresh, closing = Reg(Bool()) // the row's first edge and its last one are wanted
+  val closes = Bool()
   val loadsLast = io.edge.valid && io.edge.index.msb
   val primes = new Area { // the last two edges pass the adder; the first one does as the last is loaded
     val first = RegNext(loadsLast) init False
@@ -24,10 +23,17 @@ final class SerialWalk(config: RasterConfig, io: EdgeWalkerPorts) extends Area {
   }
   control.begin(!loadsLast && !primes.first)
 
-  val turn = walking || loadsLast || primes.first || primes.second
+  // What finished, a cycle later. Columns of the tile have a sign, as an edge may cut off more than the screen has.
+  val done = new Area {
+    val fresh, closing, fromRight, cutsAll, stays = Reg(Bool())
+    val column = Reg(SInt(config.tileLog2Width + 1 bits))
+    val waits = RegInit(False)
+    val takes = !(waits && fresh && control.blocked)
+  }
+  val turn = walking && done.takes || loadsLast || primes.first || primes.second
+  val turnValues = turn || io.edge.valid
   val a, b, c = Reg(EdgeState(config))
-  val keeps = walking && a.wants
-  val slides = RegNext(keeps || Mux(turn, b.wants, c.wants)) // that c has to; known as it arrives
+  val keeps = walking && a.wants // from a to the adder
 
   /** Goes round: `next` from c, or what is loaded, enters at a. */
   private def ring[T <: Data](turn: Bool, a: T, b: T, c: T, next: T): Unit = when(turn) {
@@ -53,37 +59,41 @@ final class SerialWalk(config: RasterConfig, io: EdgeWalkerPorts) extends Area {
     ring(turnY, a.descent, b.descent, c.descent, next.descent)
     ring(turnY, a.grows, b.grows, c.grows, next.grows)
   }
-  // What finished, a cycle later. Columns of the tile have a sign, as an edge may cut off more than the screen has.
-  val done = new Area {
-    val fresh, closing, fromRight, cutsAll, stays = Reg(Bool())
-    val column = Reg(SInt(config.tileLog2Width + 1 bits))
-    val waits = RegInit(False)
-    val takes = !(waits && fresh && control.blocked)
-  }
-  val edge = steps.c
   val ahead = Vec.fill(3)(Reg(Bool())) // of a, b and c: whether it is in the row below
-  val finishes = walking && !slides && !ahead(2) && done.takes
-  val move = new EdgeMove(c, edge, slides, finishes, !walking)
+
+  // What c does is known as it comes: from a it has to slide; from b it may have to in its first row alone.
+  val active = walking || primes.second
+  val slides = RegNextWhen(active && (keeps || b.wants), turnValues)
+  val shrinks = RegNextWhen(
+    active && Mux(
+      keeps,
+      EdgeMove.shrinks(a, steps.a),
+      Mux(b.wants, EdgeMove.shrinks(b, steps.b), !ahead(1) || closes)
+    ),
+    turnValues
+  )
+  val finishes = walking && done.takes && shrinks && !slides
+  closes := finishes && closing
+  val move = new EdgeMove(c, steps.c, slides, shrinks, !walking)
   val moved = EdgeState(config)
   move.moved(moved)
-  ring(turn || io.edge.valid, a, b, c, moved)
+  ring(turnValues, a, b, c, moved)
   when(io.edge.valid) { b.load(io.edge.value) }
   ring(turn, ahead(0), ahead(1), ahead(2), ahead(2) || finishes)
 
   when(finishes) {
     fresh := closing
     closing := !fresh && !closing
-    when(closing) { ahead.foreach(_ := False) }
   }
 
   when(done.takes) {
     done.waits := finishes
     done.fresh := fresh
     done.closing := closing
-    done.fromRight := edge.fromRight
+    done.fromRight := steps.c.fromRight
     done.cutsAll := c.cutsAll
-    done.stays := !edge.grows
-    done.column := edge.fromRight ? (control.lastColumn.intoSInt - c.cut.intoSInt) | c.cut.intoSInt
+    done.stays := !steps.c.grows
+    done.column := steps.c.fromRight ? (control.lastColumn.intoSInt - c.cut.intoSInt) | c.cut.intoSInt
   }
   val taken = walking && done.waits && done.takes
 
@@ -97,7 +107,7 @@ final class SerialWalk(config: RasterConfig, io: EdgeWalkerPorts) extends Area {
   val crosses = done.fromRight ? (done.fresh ? done.column.msb | !pastFirst) | (!done.fresh && pastLast)
   val otherStays = done.fresh || (done.fromRight ? firstStays | lastStays)
   val lost = crosses || done.cutsAll
-  val over = done.stays && (crosses && otherStays || done.cutsAll)
+  val over = RegNext(taken && done.stays && (crosses && otherStays || done.cutsAll)) init False
   when(taken) {
     empty := lost || empty && !done.fresh
     when(done.fresh || done.fromRight && !pastLast) {
@@ -110,16 +120,13 @@ final class SerialWalk(config: RasterConfig, io: EdgeWalkerPorts) extends Area {
     }
     when(done.fresh) { control.nextRow() }
   }
-  when(io.start) {
+  when(!walking) {
     fresh := True
     closing := False
-    ahead.foreach(_ := False)
   }
-  control.row(
-    taken && (done.closing || over),
-    filled = !empty && !lost,
-    isLast = over || control.y === control.lastRow
-  )
+  when(!walking || closes) { ahead.foreach(_ := False) }
+  control.row(taken && done.closing, filled = !empty && !lost, isLast = control.y === control.lastRow)
+  when(over && walking) { control.end() }
   when(!walking) { done.waits := False } // what went on in the row after the last one
   io.up.first := first
   io.up.last := last

@@ -36,9 +36,12 @@ final class WalkControl(config: RasterConfig, io: EdgeWalkerPorts) extends Area 
   /** Ends a row, which has pixels if it is `filled`, and with the last row the walk. */
   def row(ends: Bool, filled: Bool, isLast: Bool): Unit = when(ends) {
     shown := filled
-    when(isLast) {
-      walking := False
-      ending := True
-    }
+    when(isLast) { end() }
+  }
+
+  /** Ends the walk; no more than a span that is offered comes before the end marker. */
+  def end(): Unit = {
+    walking := False
+    ending := True
   }
 }
