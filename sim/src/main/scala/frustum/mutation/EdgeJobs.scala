@@ -43,7 +43,7 @@ final case class EdgeJob(
   def mostCycles(kind: WalkerKind, width: Int): Int = 8 + lateral(width).map { steps =>
     kind match {
       case WalkerKind.Serial if steps.max == 0 => 3
-      case WalkerKind.Serial                   => 4 + max(steps.sum, 2 * steps.max)
+      case WalkerKind.Serial                   => 4 + steps.sum + steps.max
       case WalkerKind.Parallel                 => 2 + steps.max
     }
   }.sum
