@@ -25,7 +25,14 @@ class TileSequencerClaims(config: RasterConfig) extends Component {
 class EdgeWalkerClaims(config: RasterConfig) extends Component {
   val unit = FormalDut(EdgeWalker(config))
   assumeInitial(clockDomain.isResetActive)
-  Seq(unit.io.step, unit.io.edge, unit.io.start, unit.io.lastColumn, unit.io.firstRow, unit.io.lastRow).foreach(anyseq(_))
+  Seq(
+    unit.io.step,
+    unit.io.edge,
+    unit.io.start,
+    unit.io.lastColumn,
+    unit.io.firstRow,
+    unit.io.lastRow
+  ).foreach(anyseq(_))
   when(!unit.io.idle) { assume(!unit.io.step.valid && !unit.io.edge.valid && !unit.io.start) }
   Claims.sink(unit.io.up)
 }

@@ -51,8 +51,8 @@ case class EdgeState(config: RasterConfig) extends Bundle {
 /** What becomes of an edge in a cycle: one adder and the rules by which it is used.
   *
   * An edge slides inwards while its value is outside. Once it is inside and later rows can only move it outwards, it
-  * tests the pixel outside of its own, and slides outwards while that is inside. So each cycle moves it by a pixel, save
-  * the first test. Both ends of the row stop it.
+  * tests the pixel outside of its own, and slides outwards while that is inside. So each cycle moves it by a pixel,
+  * save the first test. Both ends of the row stop it.
   *
   * @param slides  it moves along the row
   * @param shrinks with `slides`: see [[EdgeMove.shrinks]]; else it moves to the row below
@@ -92,8 +92,8 @@ final class EdgeMove(state: EdgeState, steps: EdgeSteps, slides: Bool, shrinks: 
 
 object EdgeMove {
 
-  /** Whether an edge's complement shrinks by the slope, rather than grows, as it slides: on the way in from the left and
-    * on the way out from the right.
+  /** Whether an edge's complement shrinks by the slope, rather than grows, as it slides: on the way in from the left
+    * and on the way out from the right.
     */
   def shrinks(state: EdgeState, steps: EdgeSteps): Bool = state.inside === steps.fromRight
 }

@@ -8,7 +8,8 @@ import spinal.lib._
   *
   * Once all are settled they go on to the row below; meanwhile the row's ends are taken from what they cut off.
   *
-  * Cycles: 5 from `start` to the first row's span; per row 2, and one for each lateral step of the edge that takes most.
+  * Cycles: 5 from `start` to the first row's span; per row 2, and one for each lateral step of the edge that takes
+  * most.
   */
 final class ParallelWalk(config: RasterConfig, io: EdgeWalkerPorts) extends Area {
   val control = new WalkControl(config, io)

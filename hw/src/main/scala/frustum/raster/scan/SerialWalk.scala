@@ -10,8 +10,8 @@ import spinal.lib._
   * directly, so that two of them take turns. A settled edge moves down as soon as its end of the row is taken, and may
   * slide in the row below while the others finish theirs.
   *
-  * Cycles: 6 from `start` to the first span at the least. A row costs 3; where edges slide, up to 4, one for each step of
-  * each edge, and as many again as the edge takes that takes most: two take turns, and the third may have to wait.
+  * Cycles: 6 from `start` to the first span at the least. A row costs 3; where edges slide, up to 4, one for each step
+  * of each edge, and as many again as the edge takes that takes most: two take turns, and the third may have to wait.
   */
 final class SerialWalk(config: RasterConfig, io: EdgeWalkerPorts) extends Area {
   val control = new WalkControl(config, io)

@@ -91,7 +91,8 @@ class EdgeWalkerTest extends AnyFunSuite with Simulated {
     kind <- Seq(WalkerKind.Serial, WalkerKind.Parallel)
     ((log2Width, log2Height), k) <- tiles.zipWithIndex
   } {
-    val unit = new Unit(RasterConfig(height = 240, tileLog2Width = log2Width, tileLog2Height = log2Height, walker = kind))
+    val unit =
+      new Unit(RasterConfig(height = 240, tileLog2Width = log2Width, tileLog2Height = log2Height, walker = kind))
     val where = s"$kind, tiles of ${1 << log2Width} x ${1 << log2Height}"
     for ((what, make) <- unit.jobs.families) {
       // other tiles than the usual one with a part of the triangles
