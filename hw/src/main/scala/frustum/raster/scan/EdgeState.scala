@@ -62,7 +62,7 @@ case class EdgeState(config: RasterConfig) extends Bundle {
 final class EdgeMove(state: EdgeState, steps: EdgeSteps, slides: Bool, shrinks: Bool, primes: Bool) extends Area {
   private val adds = slides || shrinks
   private val step = slides ? steps.slope | steps.descent
-  private val addend = (step ^ S(step.range -> shrinks)) & S(step.range -> adds)
+  private val addend = (step ^ S(step.bitsRange -> shrinks)) & S(step.bitsRange -> adds)
   private val carry = adds ? shrinks | (primes && state.tie && !steps.topLeft)
   private val inwards = slides && !state.inside
   private val outwards = slides && state.inside && state.back
@@ -71,7 +71,7 @@ final class EdgeMove(state: EdgeState, steps: EdgeSteps, slides: Bool, shrinks: 
   /** The edge after that. */
   def moved(into: EdgeState): Unit = {
     into.value := ((state.value @@ True).asBits.asSInt + (addend @@ carry).resize(state.value.getWidth + 1)) >> 1
-    into.cut := ((state.cut @@ True) + (U(state.cut.range -> outwards) @@ inwards)) >> 1
+    into.cut := ((state.cut @@ True) + (U(state.cut.bitsRange -> outwards) @@ inwards)) >> 1
     when(slides) {
       into.back := state.inside
       into.canEnter := !state.inside && state.cut =/= most - 1

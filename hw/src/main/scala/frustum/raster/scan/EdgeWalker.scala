@@ -27,8 +27,8 @@ case class EdgeWalkerPorts(config: RasterConfig) extends Bundle {
   *
   * Each of the three edge functions keeps the outermost pixel of the row that it lets through (the leftmost where the
   * function grows to the right), stepping inwards or outwards from the row above: integer edge functions at pixel
-  * centres, Pineda 1988; see [[EdgeMove]]. No edge moves on in a row that is known to be empty. The walk ends early
-  * where the edges that never move outwards again leave nothing.
+  * centres, Pineda 1988; see [[EdgeMove]]. The walk ends early where the edges that never move outwards again leave
+  * nothing.
   *
   * Cycles: by `config.walker`, see [[SerialWalk]] and [[ParallelWalk]]. While `up` is not ready the span is held.
   *
