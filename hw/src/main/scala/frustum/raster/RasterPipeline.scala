@@ -44,7 +44,10 @@ case class RasterPipeline(
 
   link.io.bytes << io.bytes
   (rasterizer.io.stores :+ link.io.store).zip(store.io.clients).foreach { case (client, port) => client <> port }
-  link.io.texels.validPipe() >> fragments.io.texels
+  // Texels come while nothing is drawn, so that the texture unit takes each at once: its ready would be a long path.
+  val texels = link.io.texels.validPipe().toFlow
+  texels.toStream >> fragments.io.texels
+  assert(fragments.io.texels.ready || !texels.valid, "a texel is lost, as it came while a frame was drawn")
   // The resolver takes a tile's position when the tile is drawn; the rasterizer is at a later one by then.
   rasterizer.io.tile.m2sPipe().m2sPipe() >> fragments.io.tile
   rasterizer.io.down >> fragments.io.up

@@ -2,7 +2,7 @@ package frustum.raster
 
 import frustum.contract.raster.{RasterConfig, WalkerKind}
 import frustum.harness.{Claims, Formal, Prover}
-import frustum.raster.scan.{EdgeWalker, Interpolator, TileSequencer}
+import frustum.raster.scan.{EdgeWalker, Interpolator, ParallelWalk, SerialWalk, TileSequencer, WalkControl}
 import frustum.raster.setup.SetupFetch
 import org.scalatest.funsuite.AnyFunSuite
 import spinal.core._
@@ -35,6 +35,31 @@ class EdgeWalkerClaims(config: RasterConfig) extends Component {
   ).foreach(anyseq(_))
   when(!unit.io.idle) { assume(!unit.io.step.valid && !unit.io.edge.valid && !unit.io.start) }
   Claims.sink(unit.io.up)
+
+  // For induction: what a walk's registers hold together.
+  def control(c: WalkControl): Unit = {
+    val Seq(asked, walking, ending, shown) = Seq(c.asked, c.walking, c.ending, c.shown).map(_.pull())
+    assert(!shown || walking || ending)
+    assert(!asked || !walking && !ending && !shown)
+    assert(!walking || !ending)
+  }
+  unit.walk match {
+    case w: SerialWalk =>
+      control(w.control)
+      val Seq(walking, fresh, closing) = Seq(w.control.walking, w.fresh, w.closing).map(_.pull())
+      val Seq(waits, first, last) = Seq(w.done.waits, w.done.fresh, w.done.closing).map(_.pull())
+      // A row's three edges finish one after the other; a span is offered before the next row's first edge counts.
+      when(walking) {
+        assert(!(fresh && closing))
+        when(waits) { assert(!(first && last) && fresh === last && closing === (!first && !last)) }
+        when(w.control.shown.pull()) { assert(Mux(waits, first, fresh)) }
+      }
+    case w: ParallelWalk =>
+      control(w.control)
+      val (down, waits) = (w.down.pull(), w.row.waits.pull())
+      assert(!(down && waits))
+      assert(!waits || w.control.walking.pull())
+  }
 }
 
 class InterpolatorClaims(config: RasterConfig) extends Component {

@@ -16,10 +16,10 @@ case class CommandGroup() extends Bundle {
 /** Reads commands as [[Framer]] delivers them, `opcode << 8 | length` and the payload, and offers their groups to the
   * unit of the command: single words, but pairs of the states, vertices and triangles that follow a first word.
   *
-  * A single word is stable for a cycle before it is offered: checks of it may come from a register. A unit that takes a
-  * group with `refuse` gets no further one of the command. Opcodes and lengths are not checked again.
+  * A single word but a texel is stable for a cycle before it is offered: checks of it may come from a register. A unit
+  * that takes a group with `refuse` gets no further one of the command. Opcodes and lengths are not checked again.
   *
-  * A pair or a single word takes three cycles and those of its unit.
+  * A pair or a single word takes three cycles and those of its unit, a texel two.
   */
 case class CommandReader() extends Component {
   val io = new Bundle {
@@ -63,7 +63,8 @@ case class CommandReader() extends Component {
   }
 
   val stood = RegNext(!took)
-  io.group.valid := state === State.offer && (stood || pairs)
+  val texel = !isFirst && io.opcode === Command.Texels.opcode
+  io.group.valid := state === State.offer && (stood || pairs || texel)
   io.group.words := words
   io.group.first := isFirst
   io.group.last := none

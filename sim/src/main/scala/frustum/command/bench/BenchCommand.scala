@@ -12,10 +12,10 @@ import java.util.Locale
 /** Arguments of `bench`. */
 final case class BenchOptions(what: String = "", seed: Long = 1, positions: Int = 200)
 
-/** `bench raster`: clocks of the rasterizer on standard loads, beside the peer's. */
+/** `bench raster`: cycles of the rasterizer on standard loads, beside the peer's. */
 object BenchCommand extends CommandLine {
   val name = "bench"
-  val summary = "measures clocks of standard loads; writes out/bench/raster.json"
+  val summary = "measures cycles of standard loads; writes out/bench/raster.json"
 
   private val parser: OParser[_, BenchOptions] = {
     val builder = OParser.builder[BenchOptions]
@@ -67,20 +67,20 @@ object BenchCommand extends CommandLine {
 
   private def table(f: RasterFigures): String = {
     val rows: Seq[(String, Double, Option[Double])] = Seq(
-      ("full screen, clocks a pixel", f.fullScreenClocksPerPixel, Some(2.09)),
+      ("full screen, cycles a pixel", f.fullScreenClocksPerPixel, Some(2.09)),
       ("set-up of a triangle", f.setupClocks, None),
       ("moving it to a further tile", f.tileRebaseClocks, None)
     ) ++ f.rightTriangleClocks.map { case (n, c) => (s"right triangle of $n", c, peerRight.get(n)) } ++ Seq(
       ("random triangle in 16 x 16", f.randomIn16Clocks, None),
       ("diagonal sliver", f.diagonalSliverClocks, Some(4104.0)),
-      ("needle, clocks a pixel", f.needleClocksPerPixel, None),
+      ("needle, cycles a pixel", f.needleClocksPerPixel, None),
       ("bytes a triangle, closed mesh", f.bytesPerTriangle, Some(88.0)),
       ("textured cube, a frame", f.cubeClocksPerFrame, Some(282000.0)),
       ("upload of a 64 x 64 texture", f.textureUploadClocks, None),
       ("empty frame", f.clearClocksPerFrame, Some(2.0 * 240 * 320))
     )
     def number(v: Double) = (if (v < 100) "%,.2f" else "%,.0f").formatLocal(Locale.ROOT, v)
-    val cells = Seq("clocks", "here", "the peer", "peer / here") +: rows.map { case (name, here, peer) =>
+    val cells = Seq("cycles", "here", "the peer", "peer / here") +: rows.map { case (name, here, peer) =>
       Seq(name, number(here), peer.fold("-")(number), peer.fold("-")(p => "%.2f".formatLocal(Locale.ROOT, p / here)))
     }
     cells.map(r => r.head.padTo(32, ' ') + r.tail.map(c => c.reverse.padTo(12, ' ').reverse).mkString).mkString("\n")

@@ -220,7 +220,7 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
     count
   }
 
-  test("a vertex takes 31 cycles and a triangle 55, as docs/architecture.md has it") {
+  test("a vertex takes 31 cycles and a triangle 55, as docs/architecture.md has it, a texel some 2") {
     val corners = Seq((0, 0), (800, 0), (0, 800)).map { case (x, y) =>
       PackedVertex(x, y, 0, 32768, 16, 0, 0, 0, 0, 0, 0).words
     }
@@ -230,8 +230,10 @@ class CommandLinkTest extends AnyFunSuite with Simulated {
     def perCommand(command: (Command, Seq[Int])) =
       (cycles(vertices(3) +: Seq.fill(10)(command)) - cycles(vertices(3) +: Seq.fill(2)(command))) / 8.0
     val (vertex, triangle) = (perCommand(vertices(11)) / 11, perCommand(triangles) / 59)
-    info(f"$vertex%.1f cycles per vertex, $triangle%.1f per triangle")
+    val texel = perCommand(Command.Texels -> (0 +: Seq.fill(119)(0x1234))) / 119
+    info(f"$vertex%.1f cycles per vertex, $triangle%.1f per triangle, $texel%.2f per texel")
     assert((vertex - 31).abs < 1 && (triangle - 55).abs < 1)
+    assert(texel >= 2 && texel < 2.3)
   }
 
   // The tables of the contract are in model and hardware alike; these words are docs/commands.md's, by hand.
