@@ -1,6 +1,6 @@
 package frustum.engine
 
-import frustum.contract.raster.{RasterConfig, RenderStateLayout}
+import frustum.contract.raster.{RasterConfig, RenderStateLayout, WalkerKind}
 import frustum.files.OutputFile
 import spinal.core._
 import spinal.core.sim._
@@ -32,7 +32,7 @@ object EngineSim {
     s"${width}x${height}_${tileWidth}x${tileHeight}_${maxVertices}_${maxTriangles}_${textureTexels}_" +
       s"${constant}_${formats.coordinate}_${formats.depth}_${formats.color}_${formats.inverse}_" +
       s"${ranges.position}_${ranges.repeats}_${ranges.ratio}_${clearColor.fold("any")(_.toString)}_$slots" +
-      (if (countUndrawn) "" else "_uncounted")
+      (if (countUndrawn) "" else "_uncounted") + (if (walker == WalkerKind.Serial) "" else s"_$walker")
   }
 
   /** @param name must tell everything that the design depends on
