@@ -138,8 +138,7 @@ case class TriangleSetup(config: RasterConfig, tech: Tech = Tech.Generic) extend
     state := State.Idle
   }
 
-  io.setUp := False
-  io.undrawn := False
+  Seq(io.setUp, io.undrawn).foreach(_ := False)
   val moved = False
   io.moved := RegNext(moved, False) // as the job leaves
   walker.io.start := False
