@@ -94,7 +94,7 @@ final class EdgeJobs(config: RasterConfig, r: Random) {
     }.flatten.take(count).toSeq
 
   /** A triangle of vertices in 1/16 pixel from the tile's corner; none where it faces away or is degenerate. */
-  def job(vertices: Seq[(Int, Int)], lastColumn: Int, firstRow: Int, lastRow: Int): Option[EdgeJob] = {
+  private def job(vertices: Seq[(Int, Int)], lastColumn: Int, firstRow: Int, lastRow: Int): Option[EdgeJob] = {
     val edges = vertices.zip(vertices.tail :+ vertices.head)
     val stepX = edges.map { case ((_, y0), (_, y1)) => y0 - y1 }
     val stepY = edges.map { case ((x0, _), (x1, _)) => x1 - x0 }
